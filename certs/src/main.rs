@@ -1,0 +1,3 @@
+//! The `homeo-check` command.
+
+fn main() {}

@@ -1,0 +1,3 @@
+//! The `homeo` command.
+
+fn main() {}
