@@ -1,1 +1,4 @@
-//! Filled in by its own change.
+//! Exact numbers: dyadic values of floats, fixed-width integers, rationals.
+
+pub mod dyadic;
+pub mod fixed;
