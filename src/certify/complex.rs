@@ -1,0 +1,158 @@
+//! The tets of a shell under one vertex order, and what a lift needs to know of their neighbourhood.
+
+use std::collections::HashSet;
+
+use crate::mesh::connectivity::{Connectivity, Side};
+use crate::predicate::orient3d;
+use crate::shell::{Layer, Name, Shell, Tet};
+
+/// Edges and vertices on the boundary of an oriented manifold of triangles.
+#[derive(Debug, Default)]
+pub(crate) struct Boundary {
+    edges: HashSet<[u32; 2]>,
+    vertices: HashSet<u32>,
+}
+
+impl Boundary {
+    pub(crate) fn new(connectivity: &Connectivity) -> Self {
+        let mut out = Self::default();
+        for side in connectivity.boundary() {
+            let [a, b] = connectivity.ends(side);
+            out.edges.insert([a.min(b), a.max(b)]);
+            out.vertices.extend([a, b]);
+        }
+        out
+    }
+
+    /// Do the vertices (any number, repeated ones allowed) lie in one boundary edge?
+    pub(crate) fn holds(&self, ids: impl IntoIterator<Item = u32>) -> bool {
+        let mut ids: Vec<u32> = ids.into_iter().collect();
+        ids.sort_unstable();
+        ids.dedup();
+        match ids[..] {
+            [v] => self.vertices.contains(&v),
+            [u, w] => self.edges.contains(&[u, w]),
+            _ => false,
+        }
+    }
+}
+
+/// `S_<`: the tets that one vertex order selects, indexed by the names that they hold.
+#[derive(Debug)]
+pub(crate) struct TetComplex<'a> {
+    pub(crate) shell: &'a Shell,
+    pub(crate) tets: Vec<Tet>,
+    /// The middle complex.
+    pub(crate) middle: &'a Connectivity,
+    pub(crate) boundary: &'a Boundary,
+    /// Tets by name, as ranges of `by_name`; name `3 v + layer`.
+    starts: Vec<u32>,
+    by_name: Vec<u32>,
+    pinched: Vec<bool>,
+}
+
+fn code(name: Name) -> usize {
+    3 * name.vertex as usize
+        + match name.layer {
+            Layer::Bottom => 0,
+            Layer::Middle => 1,
+            Layer::Top => 2,
+        }
+}
+
+impl<'a> TetComplex<'a> {
+    /// Builds the complex for the order `rank[v]`. Linear time and memory.
+    pub(crate) fn new(
+        shell: &'a Shell,
+        middle: &'a Connectivity,
+        boundary: &'a Boundary,
+        ranks: &[u32],
+    ) -> Self {
+        let prisms = u32::try_from(shell.faces.len()).unwrap_or(u32::MAX);
+        let rank = |v: u32| ranks.get(v as usize).copied().unwrap_or(v);
+        let tets: Vec<Tet> = (0..prisms).flat_map(|p| shell.tets_of_order(p, rank)).collect();
+        let mut starts = vec![0u32; 3 * shell.middle.len() + 1];
+        for name in tets.iter().flat_map(|t| t.names) {
+            starts[code(name) + 1] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut fill = starts.clone();
+        let mut by_name = vec![0u32; 4 * tets.len()];
+        for (id, tet) in tets.iter().enumerate() {
+            for name in tet.names {
+                let slot = &mut fill[code(name)];
+                by_name[*slot as usize] = u32::try_from(id).unwrap_or(u32::MAX);
+                *slot += 1;
+            }
+        }
+        let pinched = (0..shell.middle.len()).map(|v| shell.is_pinched(v as u32)).collect();
+        Self { shell, tets, middle, boundary, starts, by_name, pinched }
+    }
+
+    /// The four points of a tet, in its positive order.
+    pub(crate) fn points(&self, tet: u32) -> [&'a [f64; 3]; 4] {
+        self.tets[tet as usize].names.map(|n| self.shell.position(n))
+    }
+
+    /// The tets that hold `name`, ascending.
+    pub(crate) fn with_name(&self, name: Name) -> &[u32] {
+        let c = code(name);
+        &self.by_name[self.starts[c] as usize..self.starts[c + 1] as usize]
+    }
+
+    /// The tets that hold all the names (at least one), ascending.
+    pub(crate) fn star<'s>(&'s self, names: &'s [Name]) -> impl Iterator<Item = u32> + 's {
+        let shortest = names.iter().map(|&n| self.with_name(n)).min_by_key(|list| list.len());
+        let holds_all = |&t: &u32| names.iter().all(|n| self.tets[t as usize].names.contains(n));
+        shortest.unwrap_or(&[]).iter().copied().filter(holds_all)
+    }
+
+    pub(crate) fn is_pinched(&self, vertex: u32) -> bool {
+        self.pinched.get(vertex as usize).copied().unwrap_or(false)
+    }
+
+    /// Do the names lie within the bottom or within the top of the shell (rule R2.4)? A pinched vertex counts as
+    /// both; alone it is allowed.
+    pub(crate) fn in_cap(&self, names: &[Name]) -> bool {
+        let within = |layer| names.iter().all(|n| n.layer == layer || self.is_pinched(n.vertex));
+        let lone_pinch = matches!(names, [n] if self.is_pinched(n.vertex));
+        !lone_pinch && (within(Layer::Bottom) || within(Layer::Top))
+    }
+
+    /// Do the names lie in a wall on the boundary of the shell?
+    pub(crate) fn in_boundary_wall(&self, names: &[Name]) -> bool {
+        self.boundary.holds(names.iter().map(|n| n.vertex))
+    }
+
+    /// The first tet that is not positive.
+    pub(crate) fn first_not_positive(&self) -> Option<u32> {
+        let bad = |id: &usize| {
+            let [a, b, c, d] = self.tets[*id].names.map(|n| self.shell.position(n));
+            !orient3d(a, b, c, d).is_positive()
+        };
+        (0..self.tets.len()).find(bad).and_then(|id| u32::try_from(id).ok())
+    }
+}
+
+/// A mesh as the certifier uses it.
+#[derive(Debug)]
+pub(crate) struct MeshView<'a> {
+    pub(crate) vertices: &'a [[f64; 3]],
+    pub(crate) faces: &'a [[u32; 3]],
+    pub(crate) connectivity: &'a Connectivity,
+    pub(crate) boundary: &'a Boundary,
+}
+
+impl<'a> MeshView<'a> {
+    /// The corners of a triangle.
+    pub(crate) fn points(&self, f: u32) -> [&'a [f64; 3]; 3] {
+        self.faces[f as usize].map(|v| &self.vertices[v as usize])
+    }
+
+    /// The triangle across side `i` (opposite corner `i`).
+    pub(crate) fn across(&self, f: u32, side: u32) -> Option<u32> {
+        self.connectivity.mate(Side::new(f, side)).map(Side::face)
+    }
+}

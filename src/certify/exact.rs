@@ -1,0 +1,256 @@
+//! Exact coordinates of overlay corners and of points in tets: used where a number must be shown or where a sign
+//! is not one of input points. Rare, so clarity comes before speed.
+
+use dashu_base::{Abs, Gcd, Sign as BigSign, Signed};
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+
+use super::clip::Mask;
+use crate::number::dyadic::scale_points;
+
+/// An integer vector.
+pub(crate) type Vec3 = [IBig; 3];
+
+/// A point `(x, y, z) / w` with `w > 0`.
+pub(crate) type Homogeneous = [IBig; 4];
+
+/// `a - b`.
+pub(crate) fn minus(a: &Vec3, b: &Vec3) -> Vec3 {
+    [0, 1, 2].map(|i| &a[i] - &b[i])
+}
+
+/// `a x b`.
+pub(crate) fn cross(a: &Vec3, b: &Vec3) -> Vec3 {
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        &a[j] * &b[k] - &a[k] * &b[j]
+    })
+}
+
+/// `a . b`.
+pub(crate) fn dot(a: &Vec3, b: &Vec3) -> IBig {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+/// `det[b-a, c-a, d-a]`.
+pub(crate) fn determinant(a: &Vec3, b: &Vec3, c: &Vec3, d: &Vec3) -> IBig {
+    dot(&cross(&minus(b, a), &minus(c, a)), &minus(d, a))
+}
+
+/// Is the vector zero?
+pub(crate) fn is_zero(v: &[IBig]) -> bool {
+    v.iter().all(|x| *x == IBig::ZERO)
+}
+
+fn is_negative(x: &IBig) -> bool {
+    *x != IBig::ZERO && x.sign() == BigSign::Negative
+}
+
+/// Barycentric weights with sum one as integers without a common factor.
+pub(crate) fn to_integers<const N: usize>(weights: &[RBig; N]) -> [IBig; N] {
+    let mut scale = IBig::ONE;
+    for w in weights {
+        let d = IBig::from(w.denominator().clone());
+        let g = IBig::from((&scale).gcd(&d));
+        scale = scale / g * d;
+    }
+    let scaled = weights.each_ref().map(|w| w.numerator() * (&scale / IBig::from(w.denominator().clone())));
+    let gcd = scaled.iter().fold(IBig::ZERO, |g, x| match (g == IBig::ZERO, *x == IBig::ZERO) {
+        (true, _) => x.clone().abs(),
+        (false, true) => g,
+        (false, false) => IBig::from(g.gcd(x)),
+    });
+    if gcd == IBig::ZERO { scaled } else { scaled.map(|x| x / &gcd) }
+}
+
+/// Weights divided by their sum; `None` when that is zero.
+pub(crate) fn normalised<const N: usize>(weights: &[IBig; N]) -> Option<[RBig; N]> {
+    let sum: IBig = weights.iter().sum();
+    if sum == IBig::ZERO {
+        return None;
+    }
+    Some(weights.each_ref().map(|w| RBig::from(w.clone()) / RBig::from(sum.clone())))
+}
+
+/// The mean of some points given by weights with sum one.
+pub(crate) fn mean<const N: usize>(points: &[[RBig; N]]) -> [RBig; N] {
+    let n = RBig::from(points.len().max(1));
+    std::array::from_fn(|i| points.iter().map(|p| p[i].clone()).sum::<RBig>() / &n)
+}
+
+/// Determinant of three rows.
+pub(crate) fn det3(rows: [&[RBig; 3]; 3]) -> RBig {
+    let [a, b, c] = rows;
+    &a[0] * (&b[1] * &c[2] - &b[2] * &c[1]) - &a[1] * (&b[0] * &c[2] - &b[2] * &c[0])
+        + &a[2] * (&b[0] * &c[1] - &b[1] * &c[0])
+}
+
+/// A triangle against a tet: `volumes[k][i]` is the tet's determinant with its vertex `k` moved to corner `i`, that is
+/// barycentric coordinate `k` of corner `i` times the tet's determinant.
+#[derive(Debug)]
+pub(crate) struct ExactPiece {
+    volumes: [Vec3; 4],
+    volume: IBig,
+}
+
+impl ExactPiece {
+    /// The points in the tet's positive order.
+    pub(crate) fn new(f: [&[f64; 3]; 3], tet: [&[f64; 3]; 4]) -> Self {
+        let all: Vec<[f64; 3]> = f.into_iter().chain(tet).copied().collect();
+        let (points, _) = scale_points(&all);
+        let y = |k: usize| &points[3 + k];
+        let volumes = [0, 1, 2, 3].map(|k| {
+            [0, 1, 2].map(|i| {
+                let p = [0, 1, 2, 3].map(|j| if j == k { &points[i] } else { y(j) });
+                determinant(p[0], p[1], p[2], p[3])
+            })
+        });
+        let volume = determinant(y(0), y(1), y(2), y(3));
+        Self { volumes, volume }
+    }
+
+    /// Barycentric coordinates in the triangle of the corner on the given lines. A corner of a polygon lies on two
+    /// lines that cross; `None` for a mask that no corner has.
+    pub(crate) fn weights(&self, mask: Mask) -> Option<[RBig; 3]> {
+        let line = |bit: usize| -> Vec3 {
+            if bit < 3 {
+                [0, 1, 2].map(|i| IBig::from(u8::from(i == bit)))
+            } else {
+                self.volumes[bit - 3].clone()
+            }
+        };
+        let lines: Vec<Vec3> = (0..7).filter(|b| mask & (1 << b) != 0).map(line).collect();
+        let pairs = lines.iter().enumerate().flat_map(|(i, a)| lines[i + 1..].iter().map(move |b| cross(a, b)));
+        pairs.filter_map(|w| normalised(&w)).next()
+    }
+
+    /// Barycentric coordinates in the tet of a point of the triangle's plane; with sum one. `None` for a flat tet.
+    pub(crate) fn in_tet(&self, weights: &[RBig; 3]) -> Option<[RBig; 4]> {
+        if self.volume == IBig::ZERO {
+            return None;
+        }
+        let volume = RBig::from(self.volume.clone());
+        Some(self.volumes.each_ref().map(|row| {
+            let sum: RBig = (0..3).map(|i| &weights[i] * RBig::from(row[i].clone())).sum();
+            sum / &volume
+        }))
+    }
+
+    /// The tet's vertices (as a bit set) on which a point of the closed tet has a positive coordinate; `None` when the
+    /// point is outside or the tet is not positive.
+    pub(crate) fn carrier(&self, weights: &[RBig; 3]) -> Option<u8> {
+        if self.volume == IBig::ZERO || is_negative(&self.volume) {
+            return None;
+        }
+        let coordinates = self.in_tet(weights)?;
+        if coordinates.iter().any(Signed::is_negative) {
+            return None;
+        }
+        let bits = coordinates.iter().enumerate().filter(|(_, x)| **x != RBig::ZERO);
+        Some(bits.fold(0, |set, (k, _)| set | 1 << k))
+    }
+}
+
+/// A plane through three integer points; the value of a point is `normal . (x - a)`.
+pub(crate) struct Plane {
+    normal: Vec3,
+    base: Vec3,
+}
+
+impl Plane {
+    pub(crate) fn through(a: &Vec3, b: &Vec3, c: &Vec3) -> Self {
+        Self { normal: cross(&minus(b, a), &minus(c, a)), base: a.clone() }
+    }
+
+    fn value(&self, p: &Homogeneous) -> IBig {
+        (0..3).map(|i| &self.normal[i] * (&p[i] - &self.base[i] * &p[3])).sum()
+    }
+}
+
+/// The point with the given nonnegative integer weights on integer points.
+pub(crate) fn weighted(points: &[Vec3], weights: &[IBig]) -> Homogeneous {
+    let coordinate = |i: usize| points.iter().zip(weights).map(|(p, w)| &p[i] * w).sum::<IBig>();
+    [coordinate(0), coordinate(1), coordinate(2), weights.iter().sum()]
+}
+
+/// The convex polygon cut with the half space on which the plane has the sign of `positive` at zero or above.
+fn cut(polygon: &[Homogeneous], plane: &Plane) -> Vec<Homogeneous> {
+    let values: Vec<IBig> = polygon.iter().map(|p| plane.value(p)).collect();
+    let mut out = Vec::with_capacity(polygon.len() + 1);
+    for c in 0..polygon.len() {
+        let next = (c + 1) % polygon.len();
+        let (v, u) = (&values[c], &values[next]);
+        if !is_negative(v) {
+            out.push(polygon[c].clone());
+        }
+        if *v != IBig::ZERO && *u != IBig::ZERO && is_negative(v) != is_negative(u) {
+            let (v, u) = (v.clone().abs(), u.clone().abs());
+            out.push(std::array::from_fn(|i| &u * &polygon[c][i] + &v * &polygon[next][i]));
+        }
+    }
+    out
+}
+
+/// The convex polygon (a point or segment, too) cut with the closed tet; empty when they do not meet or when the
+/// tet is flat.
+pub(crate) fn cut_with_tet(polygon: &[Homogeneous], tet: [&Vec3; 4]) -> Vec<Homogeneous> {
+    let volume = determinant(tet[0], tet[1], tet[2], tet[3]);
+    if volume == IBig::ZERO {
+        return Vec::new();
+    }
+    let mut polygon = polygon.to_vec();
+    for k in 0..4 {
+        let [a, b, c] = [1, 2, 3].map(|s| tet[(k + s) % 4]);
+        let mut plane = Plane::through(a, b, c);
+        let apex = weighted(std::slice::from_ref(tet[k]), &[IBig::ONE]);
+        if is_negative(&plane.value(&apex)) {
+            plane.normal = plane.normal.map(|x| -x);
+        }
+        polygon = cut(&polygon, &plane);
+    }
+    polygon
+}
+
+/// Do the points span more than a line?
+pub(crate) fn has_area(polygon: &[Homogeneous]) -> bool {
+    let Some((first, rest)) = polygon.split_first() else { return false };
+    let offset = |p: &Homogeneous| [0, 1, 2].map(|i| &p[i] * &first[3] - &first[i] * &p[3]);
+    let offsets: Vec<Vec3> = rest.iter().map(offset).collect();
+    let pairs = offsets.iter().enumerate().flat_map(|(i, a)| offsets[i + 1..].iter().map(move |b| (a, b)));
+    pairs.into_iter().any(|(a, b)| !is_zero(&cross(a, b)))
+}
+
+/// The mean of the points.
+pub(crate) fn centre(polygon: &[Homogeneous]) -> Option<Homogeneous> {
+    let mut points = polygon.iter();
+    let mut sum = points.next()?.clone();
+    for p in points {
+        sum = std::array::from_fn(|i| if i == 3 { &sum[3] * &p[3] } else { &sum[i] * &p[3] + &p[i] * &sum[3] });
+    }
+    sum[3] *= IBig::from(polygon.len());
+    Some(sum)
+}
+
+/// Barycentric weights of a point of the plane of a triangle with area; with sum one.
+pub(crate) fn in_triangle(point: &Homogeneous, corners: [&Vec3; 3]) -> Option<[RBig; 3]> {
+    let [a, b, c] = corners;
+    let normal = cross(&minus(b, a), &minus(c, a));
+    // Weight i is the area opposite corner i, measured along the normal: `normal . ((q - p) x (x - p))`.
+    let weight = |p: &Vec3, q: &Vec3| {
+        let offset = [0, 1, 2].map(|i| &point[i] - &p[i] * &point[3]);
+        dot(&normal, &cross(&minus(q, p), &offset))
+    };
+    normalised(&[weight(b, c), weight(c, a), weight(a, b)])
+}
+
+/// Barycentric weights of a point in a tet; with sum one. `None` for a flat tet.
+pub(crate) fn in_tet(point: &Homogeneous, tet: [&Vec3; 4]) -> Option<[RBig; 4]> {
+    let w = &point[3];
+    let scaled = tet.map(|p| p.clone().map(|x| x * w));
+    let x: Vec3 = [0, 1, 2].map(|i| point[i].clone());
+    let part = |k: usize| {
+        let p = [0, 1, 2, 3].map(|j| if j == k { &x } else { &scaled[j] });
+        determinant(p[0], p[1], p[2], p[3])
+    };
+    normalised(&[part(0), part(1), part(2), part(3)])
+}

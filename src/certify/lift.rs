@@ -1,0 +1,282 @@
+//! The lift of a mesh into `S_<`: breadth-first from a root piece, across sides of pieces.
+//!
+//! A *piece* is the intersection of a triangle and a tet where it has area. Tets are half open (THEORY section 5):
+//! a piece in the common face of two tets belongs to the tet above it. Each corner is named by its two carriers,
+//! and a side continues into the piece that has the same side reversed.
+
+use std::collections::HashMap;
+
+use super::clip::{Corner, Mask, Polygon, SIDES, clip};
+use super::complex::{MeshView, TetComplex};
+use super::observer::{Observer, Ticker};
+use crate::predicate::{Sign, dot_sign};
+use crate::shell::{Layer, Name};
+
+/// The two carriers of an overlay vertex; unused places hold the last entry again (a canonical padding).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Carriers {
+    mesh: [u32; 3],
+    mesh_len: u8,
+    shell: [Name; 4],
+    shell_len: u8,
+}
+
+impl Carriers {
+    /// The carriers of the point of `face` and `names` at which the coordinates in `mask` vanish.
+    pub(crate) fn new(face: [u32; 3], names: [Name; 4], mask: Mask) -> Self {
+        let mut out = Self { mesh: [u32::MAX; 3], mesh_len: 0, shell: [NO_NAME; 4], shell_len: 0 };
+        for i in (0..3).filter(|i| mask & (1 << i) == 0) {
+            out.mesh[usize::from(out.mesh_len)] = face[i];
+            out.mesh_len += 1;
+        }
+        for k in (0..4).filter(|k| mask & (1 << (3 + k)) == 0) {
+            out.shell[usize::from(out.shell_len)] = names[k];
+            out.shell_len += 1;
+        }
+        out.mesh[..usize::from(out.mesh_len)].sort_unstable();
+        out.shell[..usize::from(out.shell_len)].sort_unstable();
+        out
+    }
+
+    /// The vertices of the mesh carrier, ascending.
+    pub(crate) fn mesh(&self) -> &[u32] {
+        &self.mesh[..usize::from(self.mesh_len)]
+    }
+
+    /// The names of the shell carrier, ascending.
+    pub(crate) fn shell(&self) -> &[Name] {
+        &self.shell[..usize::from(self.shell_len)]
+    }
+}
+
+const NO_NAME: Name = Name { vertex: u32::MAX, layer: Layer::Top };
+
+/// Where a lift fails to be a section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reason {
+    /// Corner of the piece on bottom or top.
+    Cap {
+        /// Index of the corner.
+        corner: u8,
+    },
+    /// A side on a boundary wall inside the mesh.
+    Wall {
+        /// Index of the side: from this corner to the next.
+        side: u8,
+    },
+    /// A boundary side of the mesh inside the shell.
+    Boundary {
+        /// Index of the side.
+        side: u8,
+    },
+    /// `n . V <= 0`.
+    Fold,
+}
+
+/// A failure, at a piece of the lift.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Violation {
+    pub(crate) piece: u32,
+    pub(crate) reason: Reason,
+}
+
+/// Why no verdict on a lift was reached.
+#[derive(Debug)]
+pub(crate) enum Stop {
+    /// The lift is not a section.
+    Violation(Violation),
+    /// Continuation across a simplex of `S_<` is not unique.
+    Branched(Vec<Name>),
+    /// The caller asked to stop.
+    Cancelled,
+}
+
+/// A piece of the lift.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    pub(crate) face: u32,
+    pub(crate) tet: u32,
+    /// Range of its corners in [`Lift::corners`].
+    first: u32,
+    len: u8,
+    /// The piece that it was reached from and the side of that one; the root has itself.
+    pub(crate) parent: u32,
+    pub(crate) parent_side: u8,
+}
+
+/// The lift of one component of the mesh.
+#[derive(Debug, Default)]
+pub(crate) struct Lift {
+    pub(crate) pieces: Vec<Piece>,
+    /// Masks and carriers of all corners, piece after piece.
+    pub(crate) corners: Vec<(Mask, Carriers)>,
+    index: HashMap<(u32, u32), u32>,
+}
+
+impl Lift {
+    /// The corners of a piece, in the orientation of its triangle.
+    pub(crate) fn corners_of(&self, piece: u32) -> &[(Mask, Carriers)] {
+        let p = &self.pieces[piece as usize];
+        &self.corners[p.first as usize..p.first as usize + usize::from(p.len)]
+    }
+}
+
+/// Triangle and tet of a piece with its polygon.
+#[derive(Clone, Copy)]
+struct Candidate {
+    face: u32,
+    tet: u32,
+    polygon: Polygon,
+}
+
+/// The mesh and the complex that it is lifted into.
+#[derive(Clone, Copy)]
+pub(crate) struct Lifting<'a> {
+    pub(crate) mesh: &'a MeshView<'a>,
+    pub(crate) complex: &'a TetComplex<'a>,
+}
+
+impl Lifting<'_> {
+    /// The piece of `face` in `tet`, under the half-open rule.
+    fn piece(&self, face: u32, tet: u32) -> Option<Candidate> {
+        let polygon = clip(self.mesh.points(face), self.complex.points(tet))?;
+        if let Some(k) = polygon.coplanar {
+            let record = &self.complex.tets[tet as usize];
+            let omitted = record.names[usize::from(k)];
+            let [lo, hi] = record.field();
+            // V runs from lo to hi. A face without lo is where it leaves the tet; a wall holds both, is parallel to V
+            // and is a fold from either side, so either tet may have it.
+            if omitted == lo {
+                return None;
+            }
+            debug_assert!(hi != lo);
+        }
+        Some(Candidate { face, tet, polygon })
+    }
+
+    fn carriers(&self, face: u32, tet: u32, mask: Mask) -> Carriers {
+        Carriers::new(self.mesh.faces[face as usize], self.complex.tets[tet as usize].names, mask)
+    }
+
+    /// Sign of `n . V` of a triangle in a tet.
+    pub(crate) fn dot(&self, face: u32, tet: u32) -> Sign {
+        let [lo, hi] = self.complex.tets[tet as usize].field().map(|n| self.complex.shell.position(n));
+        let [a, b, c] = self.mesh.points(face);
+        dot_sign(a, b, c, lo, hi)
+    }
+
+    /// The pieces that a root point may start in: of triangle `face`, in the tets around the simplex `names`.
+    pub(crate) fn starts(&self, face: u32, names: &[Name]) -> Vec<u32> {
+        self.complex.star(names).filter(|&tet| self.piece(face, tet).is_some()).collect()
+    }
+
+    /// Lifts the component of `face` from its piece in `tet`.
+    pub(crate) fn flood(&self, face: u32, tet: u32, observer: &dyn Observer) -> (Lift, Option<Stop>) {
+        let mut lift = Lift::default();
+        let Some(root) = self.piece(face, tet) else { return (lift, None) };
+        let stop = self.run(&mut lift, &root, observer).err();
+        (lift, stop)
+    }
+
+    fn run(&self, lift: &mut Lift, root: &Candidate, observer: &dyn Observer) -> Result<(), Stop> {
+        let mut ticker = Ticker::new(observer);
+        self.add(lift, root, (0, 0))?;
+        let mut next = 0;
+        while next < lift.pieces.len() {
+            if ticker.tick() {
+                return Err(Stop::Cancelled);
+            }
+            let sides = lift.pieces[next].len;
+            for side in 0..sides {
+                self.cross(lift, next as u32, side)?;
+            }
+            next += 1;
+        }
+        Ok(())
+    }
+
+    /// Adds a piece and looks at it alone: is it a fold, does it touch bottom or top?
+    fn add(&self, lift: &mut Lift, c: &Candidate, (parent, parent_side): (u32, u8)) -> Result<(), Stop> {
+        let id = lift.pieces.len() as u32;
+        let first = lift.corners.len() as u32;
+        let corners = c.polygon.corners();
+        lift.corners.extend(corners.iter().map(|k| (k.mask, self.carriers(c.face, c.tet, k.mask))));
+        let len = corners.len() as u8;
+        lift.pieces.push(Piece { face: c.face, tet: c.tet, first, len, parent, parent_side });
+        lift.index.insert((c.face, c.tet), id);
+        let violation = |reason| Err(Stop::Violation(Violation { piece: id, reason }));
+        if !self.dot(c.face, c.tet).is_positive() {
+            return violation(Reason::Fold);
+        }
+        let cap = lift.corners_of(id).iter().position(|(_, k)| self.complex.in_cap(k.shell()));
+        cap.map_or(Ok(()), |corner| violation(Reason::Cap { corner: corner as u8 }))
+    }
+
+    /// Continues the lift across one side of a piece.
+    fn cross(&self, lift: &mut Lift, id: u32, side: u8) -> Result<(), Stop> {
+        let piece = lift.pieces[id as usize];
+        let corners = lift.corners_of(id);
+        let (mask_a, a) = corners[usize::from(side)];
+        let (mask_b, b) = corners[(usize::from(side) + 1) % corners.len()];
+        let common = mask_a & mask_b;
+        let along = self.carriers(piece.face, piece.tet, common);
+        let violation = |reason| Err(Stop::Violation(Violation { piece: id, reason }));
+        let on_wall = self.complex.in_boundary_wall(along.shell());
+        let mesh_side = common & SIDES;
+        let face = if mesh_side == 0 {
+            Some(piece.face)
+        } else {
+            self.mesh.across(piece.face, mesh_side.trailing_zeros())
+        };
+        let Some(face) = face else {
+            return if on_wall { Ok(()) } else { violation(Reason::Boundary { side }) };
+        };
+        if on_wall {
+            return violation(Reason::Wall { side });
+        }
+        self.enter(lift, (id, side), face, [b, a], along.shell())
+    }
+
+    /// Finds the piece of `face` around the simplex `names` that has the side from `ends[0]` to `ends[1]`.
+    fn enter(
+        &self,
+        lift: &mut Lift,
+        from: (u32, u8),
+        face: u32,
+        ends: [Carriers; 2],
+        names: &[Name],
+    ) -> Result<(), Stop> {
+        let mut found: Option<Candidate> = None;
+        for tet in self.complex.star(names) {
+            // Along a wall a coplanar triangle is a piece of either tet; the first is enough to refute.
+            if let Some(&known) = lift.index.get(&(face, tet)) {
+                if has_side(lift.corners_of(known).iter().map(|(_, c)| *c), ends) {
+                    return Ok(());
+                }
+                continue;
+            }
+            let Some(candidate) = self.piece(face, tet) else { continue };
+            let carriers = |c: &Corner| self.carriers(face, tet, c.mask);
+            if !has_side(candidate.polygon.corners().iter().map(carriers), ends) {
+                continue;
+            }
+            if !self.dot(face, tet).is_positive() {
+                return self.add(lift, &candidate, from);
+            }
+            if found.is_some() {
+                return Err(Stop::Branched(names.to_vec()));
+            }
+            found = Some(candidate);
+        }
+        match found {
+            Some(candidate) => self.add(lift, &candidate, from),
+            None => Err(Stop::Branched(names.to_vec())),
+        }
+    }
+}
+
+/// Does the closed polygon have the directed side `ends[0] -> ends[1]`?
+fn has_side(corners: impl Iterator<Item = Carriers> + Clone, ends: [Carriers; 2]) -> bool {
+    let mut following = corners.clone().cycle().skip(1);
+    corners.into_iter().any(|c| following.next().is_some_and(|next| [c, next] == ends))
+}
