@@ -6,7 +6,12 @@
 
 pub mod decomposition;
 pub mod hdf5;
+pub mod three;
+pub mod validate;
+pub mod vtu;
 
+#[cfg(test)]
+mod file_tests;
 mod pillar;
 #[cfg(test)]
 mod tests;
