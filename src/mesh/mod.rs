@@ -1,4 +1,34 @@
 //! Triangle meshes: connectivity apart from coordinates, readers and writers, validation.
+//!
+//! Readers keep what certificates name: the order of vertices and faces, and every bit of every
+//! coordinate (decimal text is rounded once, to the nearest `f64`). That is why the OBJ reader is
+//! written here: the usual crate, `tobj`, renumbers vertices by first use and drops the others,
+//! and it works in `f32` by default.
+//!
+//! A mesh that was read is only well formed (finite coordinates, indices in range). Whether it is
+//! an oriented manifold without flat triangles is the question of [`validate`] and [`check`].
+
+mod area;
+pub mod connectivity;
+mod error;
+mod format;
+mod obj;
+mod off;
+mod ply;
+mod stl;
+mod text;
+mod validate;
+mod write;
+
+#[cfg(test)]
+mod tests;
+
+pub use area::is_zero_area;
+pub use connectivity::Connectivity;
+pub use error::{Fault, MeshError, Place};
+pub use format::{Format, MeshFile, parse, read, read_as};
+pub use validate::{Defect, DefectKind, LISTED, MeshInfo, Report, ValidMesh, check, mesh_info, validate};
+pub use write::{encode, write};
 
 /// A triangle mesh: `vertices[i]` are finite `f64` coordinates, `faces[k]` three vertex indices in
 /// orientation order.
