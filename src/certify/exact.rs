@@ -11,9 +11,6 @@ use crate::number::dyadic::scale_points;
 /// An integer vector.
 pub(crate) type Vec3 = [IBig; 3];
 
-/// A point `(x, y, z) / w` with `w > 0`.
-pub(crate) type Homogeneous = [IBig; 4];
-
 /// `a - b`.
 pub(crate) fn minus(a: &Vec3, b: &Vec3) -> Vec3 {
     [0, 1, 2].map(|i| &a[i] - &b[i])
@@ -35,11 +32,6 @@ pub(crate) fn dot(a: &Vec3, b: &Vec3) -> IBig {
 /// `det[b-a, c-a, d-a]`.
 pub(crate) fn determinant(a: &Vec3, b: &Vec3, c: &Vec3, d: &Vec3) -> IBig {
     dot(&cross(&minus(b, a), &minus(c, a)), &minus(d, a))
-}
-
-/// Is the vector zero?
-pub(crate) fn is_zero(v: &[IBig]) -> bool {
-    v.iter().all(|x| *x == IBig::ZERO)
 }
 
 fn is_negative(x: &IBig) -> bool {
@@ -151,88 +143,82 @@ impl ExactPiece {
     }
 }
 
-/// A plane through three integer points; the value of a point is `normal . (x - a)`.
-pub(crate) struct Plane {
-    normal: Vec3,
-    base: Vec3,
-}
+/// The integer weights of a point on three points, not yet divided by their sum.
+pub(crate) type Weights = Vec3;
 
-impl Plane {
-    pub(crate) fn through(a: &Vec3, b: &Vec3, c: &Vec3) -> Self {
-        Self { normal: cross(&minus(b, a), &minus(c, a)), base: a.clone() }
-    }
-
-    fn value(&self, p: &Homogeneous) -> IBig {
-        (0..3).map(|i| &self.normal[i] * (&p[i] - &self.base[i] * &p[3])).sum()
-    }
-}
-
-/// The point with the given nonnegative integer weights on integer points.
-pub(crate) fn weighted(points: &[Vec3], weights: &[IBig]) -> Homogeneous {
-    let coordinate = |i: usize| points.iter().zip(weights).map(|(p, w)| &p[i] * w).sum::<IBig>();
-    [coordinate(0), coordinate(1), coordinate(2), weights.iter().sum()]
-}
-
-/// The convex polygon cut with the half space on which the plane has the sign of `positive` at zero or above.
-fn cut(polygon: &[Homogeneous], plane: &Plane) -> Vec<Homogeneous> {
-    let values: Vec<IBig> = polygon.iter().map(|p| plane.value(p)).collect();
+/// The convex polygon (a point or segment, too), given by weights on a triangle's corners, cut with the closed half
+/// space in which a linear function is not negative; `values` are the function's values at the corners.
+pub(crate) fn cut(polygon: &[Weights], values: &Vec3) -> Vec<Weights> {
+    let at: Vec<IBig> = polygon.iter().map(|w| dot(w, values)).collect();
     let mut out = Vec::with_capacity(polygon.len() + 1);
     for c in 0..polygon.len() {
         let next = (c + 1) % polygon.len();
-        let (v, u) = (&values[c], &values[next]);
+        let (v, u) = (&at[c], &at[next]);
         if !is_negative(v) {
             out.push(polygon[c].clone());
         }
         if *v != IBig::ZERO && *u != IBig::ZERO && is_negative(v) != is_negative(u) {
             let (v, u) = (v.clone().abs(), u.clone().abs());
-            out.push(std::array::from_fn(|i| &u * &polygon[c][i] + &v * &polygon[next][i]));
+            out.push([0, 1, 2].map(|i| &u * &polygon[c][i] + &v * &polygon[next][i]));
         }
     }
     out
 }
 
-/// The convex polygon (a point or segment, too) cut with the closed tet; empty when they do not meet or when the
-/// tet is flat.
-pub(crate) fn cut_with_tet(polygon: &[Homogeneous], tet: [&Vec3; 4]) -> Vec<Homogeneous> {
-    let volume = determinant(tet[0], tet[1], tet[2], tet[3]);
-    if volume == IBig::ZERO {
-        return Vec::new();
-    }
-    let mut polygon = polygon.to_vec();
-    for k in 0..4 {
-        let [a, b, c] = [1, 2, 3].map(|s| tet[(k + s) % 4]);
-        let mut plane = Plane::through(a, b, c);
-        let apex = weighted(std::slice::from_ref(tet[k]), &[IBig::ONE]);
-        if is_negative(&plane.value(&apex)) {
-            plane.normal = plane.normal.map(|x| -x);
+impl ExactPiece {
+    /// The polygon in the triangle cut with the closed tet, whichever its orientation; empty when they do not meet or
+    /// when the tet is flat.
+    pub(crate) fn cut_with_tet(&self, polygon: &[Weights]) -> Vec<Weights> {
+        if self.volume == IBig::ZERO {
+            return Vec::new();
         }
-        polygon = cut(&polygon, &plane);
+        let mirrored = is_negative(&self.volume);
+        self.volumes.iter().fold(polygon.to_vec(), |polygon, row| {
+            if mirrored { cut(&polygon, &row.clone().map(|x| -x)) } else { cut(&polygon, row) }
+        })
+    }
+}
+
+/// The part of a triangle that lies in another triangle, which has area: weights on the first one's corners.
+pub(crate) fn cut_with_triangle(triangle: [&Vec3; 3], other: [&Vec3; 3]) -> Vec<Weights> {
+    let [a, b, c] = other;
+    let normal = cross(&minus(b, a), &minus(c, a));
+    let height = triangle.map(|x| dot(&normal, &minus(x, a)));
+    let below = height.clone().map(|x| -x);
+    let mut polygon = cut(&cut(&whole(), &height), &below);
+    for (p, q) in [(a, b), (b, c), (c, a)] {
+        let inward = cross(&normal, &minus(q, p));
+        polygon = cut(&polygon, &triangle.map(|x| dot(&inward, &minus(x, p))));
     }
     polygon
 }
 
-/// Do the points span more than a line?
-pub(crate) fn has_area(polygon: &[Homogeneous]) -> bool {
-    let Some((first, rest)) = polygon.split_first() else { return false };
-    let offset = |p: &Homogeneous| [0, 1, 2].map(|i| &p[i] * &first[3] - &first[i] * &p[3]);
-    let offsets: Vec<Vec3> = rest.iter().map(offset).collect();
-    let pairs = offsets.iter().enumerate().flat_map(|(i, a)| offsets[i + 1..].iter().map(move |b| (a, b)));
-    pairs.into_iter().any(|(a, b)| !is_zero(&cross(a, b)))
+/// The whole triangle.
+pub(crate) fn whole() -> Vec<Weights> {
+    (0..3).map(|i| [0, 1, 2].map(|j| IBig::from(u8::from(i == j)))).collect()
 }
 
-/// The mean of the points.
-pub(crate) fn centre(polygon: &[Homogeneous]) -> Option<Homogeneous> {
-    let mut points = polygon.iter();
-    let mut sum = points.next()?.clone();
-    for p in points {
-        sum = std::array::from_fn(|i| if i == 3 { &sum[3] * &p[3] } else { &sum[i] * &p[3] + &p[i] * &sum[3] });
-    }
-    sum[3] *= IBig::from(polygon.len());
-    Some(sum)
+/// Do the points of a triangle with area span more than a line?
+pub(crate) fn has_area(polygon: &[Weights]) -> bool {
+    let n = polygon.len();
+    let mut triples = (0..n).flat_map(|i| (i + 1..n).flat_map(move |j| (j + 1..n).map(move |k| [i, j, k])));
+    triples.any(|[i, j, k]| dot(&cross(&polygon[i], &polygon[j]), &polygon[k]) != IBig::ZERO)
 }
 
-/// Barycentric weights of a point of the plane of a triangle with area; with sum one.
-pub(crate) fn in_triangle(point: &Homogeneous, corners: [&Vec3; 3]) -> Option<[RBig; 3]> {
+/// The mean of the points, with sum one; `None` for no points.
+pub(crate) fn centre(polygon: &[Weights]) -> Option<[RBig; 3]> {
+    let points: Vec<[RBig; 3]> = polygon.iter().filter_map(normalised).collect();
+    (!points.is_empty()).then(|| mean(&points))
+}
+
+/// A point given by integer weights on integer points: `(x, y, z, w)` stands for `(x, y, z) / w`.
+pub(crate) fn weighted(points: [&Vec3; 3], weights: &Weights) -> [IBig; 4] {
+    let coordinate = |i: usize| points.iter().zip(weights).map(|(p, w)| &p[i] * w).sum::<IBig>();
+    [coordinate(0), coordinate(1), coordinate(2), weights.iter().sum()]
+}
+
+/// Barycentric weights, with sum one, of a point of the plane of a triangle with area.
+pub(crate) fn in_triangle(point: &[IBig; 4], corners: [&Vec3; 3]) -> Option<[RBig; 3]> {
     let [a, b, c] = corners;
     let normal = cross(&minus(b, a), &minus(c, a));
     // Weight i is the area opposite corner i, measured along the normal: `normal . ((q - p) x (x - p))`.
@@ -241,16 +227,4 @@ pub(crate) fn in_triangle(point: &Homogeneous, corners: [&Vec3; 3]) -> Option<[R
         dot(&normal, &cross(&minus(q, p), &offset))
     };
     normalised(&[weight(b, c), weight(c, a), weight(a, b)])
-}
-
-/// Barycentric weights of a point in a tet; with sum one. `None` for a flat tet.
-pub(crate) fn in_tet(point: &Homogeneous, tet: [&Vec3; 4]) -> Option<[RBig; 4]> {
-    let w = &point[3];
-    let scaled = tet.map(|p| p.clone().map(|x| x * w));
-    let x: Vec3 = [0, 1, 2].map(|i| point[i].clone());
-    let part = |k: usize| {
-        let p = [0, 1, 2, 3].map(|j| if j == k { &x } else { &scaled[j] });
-        determinant(p[0], p[1], p[2], p[3])
-    };
-    normalised(&[part(0), part(1), part(2), part(3)])
 }

@@ -110,6 +110,8 @@ pub(crate) struct Lift {
     pub(crate) pieces: Vec<Piece>,
     /// Masks and carriers of all corners, piece after piece.
     pub(crate) corners: Vec<(Mask, Carriers)>,
+    /// The component of the middle complex that the root lies in.
+    pub(crate) middle_component: u32,
     index: HashMap<(u32, u32), u32>,
 }
 
@@ -174,6 +176,7 @@ impl Lifting<'_> {
     pub(crate) fn flood(&self, face: u32, tet: u32, observer: &dyn Observer) -> (Lift, Option<Stop>) {
         let mut lift = Lift::default();
         let Some(root) = self.piece(face, tet) else { return (lift, None) };
+        lift.middle_component = self.complex.middle.component(self.complex.tets[tet as usize].prism);
         let stop = self.run(&mut lift, &root, observer).err();
         (lift, stop)
     }

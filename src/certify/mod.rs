@@ -1,1 +1,39 @@
-//! Filled in by its own change.
+//! Proofs and refutations of the claims C1-C6 about a shell and a mesh (THEORY section 2).
+//!
+//! [`certify`] decides every requested claim: *certified* or *refuted*, never a third answer, and writes one file that
+//! proves all its verdicts: certificates for what holds, witnesses for what does not. The file is checked by
+//! `homeo-check` and by `reference/check.py`; its format is `certs/FORMAT.md`.
+
+mod claim;
+mod clip;
+mod complex;
+mod disjoint;
+mod error;
+mod exact;
+mod i2;
+mod lift;
+mod observer;
+mod order;
+mod orders;
+mod pairs;
+mod path;
+mod point;
+mod positivity;
+mod proof;
+mod section;
+mod separate;
+mod witness;
+mod write;
+
+#[cfg(test)]
+mod tests;
+
+pub use claim::{Claim, Part, Verdict};
+pub use disjoint::{About, Crossing};
+pub use error::CertifyError;
+pub use i2::{Contact, ContactSeparation};
+pub use observer::{Observer, Silent};
+pub use order::VertexOrder;
+pub use proof::{ClaimResult, Count, Options, Outcome, Refutation, certify};
+pub use separate::{PlaneName, PointName};
+pub use witness::{BadTet, Branch, Ending, Leg, NoLift, Root, Step};

@@ -1,7 +1,6 @@
 //! C2 `section` and C4 `bijection`: a lift that is a section, or a witness against every lift.
 
 use dashu_int::IBig;
-use dashu_ratio::RBig;
 
 use super::complex::MeshView;
 use super::exact::to_integers;
@@ -268,9 +267,4 @@ fn augment(start: usize, targets: &[Vec<u32>], owner: &mut [Option<usize>], seen
         }
     }
     false
-}
-
-/// Is the weight vector inside the triangle?
-pub(crate) fn is_interior(weights: &[RBig; 3]) -> bool {
-    weights.iter().all(|w| *w > RBig::ZERO)
 }

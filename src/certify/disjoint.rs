@@ -1,0 +1,173 @@
+//! C6 `disjoint`: the mesh against itself, and against the shell's bottom and top (rule R3).
+
+use dashu_int::IBig;
+use rayon::prelude::*;
+
+use super::complex::MeshView;
+use super::exact::{centre, cut_with_triangle, has_area, in_triangle, to_integers, weighted};
+use super::observer::Observer;
+use super::pairs::BoxTree;
+use super::separate::{Named, Pair, PlaneName, PointName};
+use super::CertifyError;
+use crate::number::dyadic::scale_points;
+use crate::shell::{Layer, Shell};
+
+/// What the mesh is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum About {
+    /// Itself.
+    Mesh,
+    /// The shell's bottom surface.
+    Bottom,
+    /// The shell's top surface.
+    Top,
+}
+
+/// Two triangles with a common point.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Crossing {
+    /// A mesh triangle.
+    pub first: u32,
+    /// The other triangle, or the prism whose bottom or top it is.
+    pub second: u32,
+    /// The point: integer weights on the first triangle's corners.
+    pub in_first: [IBig; 3],
+    /// Integer weights on the second triangle's corners.
+    pub in_second: [IBig; 3],
+}
+
+/// The answer to C6 for one pair of sets.
+#[derive(Debug, Default)]
+pub(crate) struct Disjoint {
+    /// Pairs whose boxes meet.
+    pub(crate) pairs: u64,
+    /// Pairs that the plane of one of the two triangles separates.
+    pub(crate) by_own_plane: u64,
+    /// The planes of all other separated pairs, ascending.
+    pub(crate) separations: Vec<(u32, u32, Vec<PlaneName>)>,
+    /// Pairs that share more than they may, ascending.
+    pub(crate) crossings: Vec<Crossing>,
+}
+
+/// What a pair turned out to be.
+enum Found {
+    OwnPlane,
+    Planes(Vec<PlaneName>),
+    Crossing(Box<Crossing>),
+}
+
+struct Job<'a> {
+    mesh: &'a MeshView<'a>,
+    shell: &'a Shell,
+    about: About,
+}
+
+/// Decides C6. O((n + k) log n) for k pairs of boxes that meet.
+pub(crate) fn decide(
+    mesh: &MeshView<'_>,
+    shell: &Shell,
+    about: About,
+    observer: &dyn Observer,
+) -> Result<Disjoint, CertifyError> {
+    let job = Job { mesh, shell, about };
+    let count = match about {
+        About::Mesh => mesh.faces.len(),
+        About::Bottom | About::Top => shell.faces.len(),
+    };
+    let tree = BoxTree::new((0..count as u32).map(|j| job.second(j).iter().map(|n| n.at).collect()));
+    let parts: Vec<Result<Disjoint, CertifyError>> = (0..mesh.faces.len() as u32)
+        .into_par_iter()
+        .map(|i| {
+            if observer.cancelled() {
+                return Err(CertifyError::Cancelled);
+            }
+            observer.advance(1);
+            job.triangle(i, &tree)
+        })
+        .collect();
+    let mut out = Disjoint::default();
+    for part in parts {
+        let part = part?;
+        out.pairs += part.pairs;
+        out.by_own_plane += part.by_own_plane;
+        out.separations.extend(part.separations);
+        out.crossings.extend(part.crossings);
+    }
+    Ok(out)
+}
+
+impl<'a> Job<'a> {
+    fn first(&self, i: u32) -> [Named<'a>; 3] {
+        self.mesh.faces[i as usize]
+            .map(|v| Named { name: PointName::Mesh(v), at: &self.mesh.vertices[v as usize] })
+    }
+
+    fn second(&self, j: u32) -> [Named<'a>; 3] {
+        let layer = match self.about {
+            About::Mesh => return self.first(j),
+            About::Bottom => Layer::Bottom,
+            About::Top => Layer::Top,
+        };
+        self.shell.faces[j as usize].map(|v| {
+            let name = self.shell.name(v, layer);
+            Named { name: PointName::Shell(name), at: self.shell.position(name) }
+        })
+    }
+
+    fn triangle(&self, i: u32, tree: &BoxTree) -> Result<Disjoint, CertifyError> {
+        let mut out = Disjoint::default();
+        let near = tree.meeting(&self.first(i).map(|n| n.at));
+        for j in near.into_iter().filter(|&j| self.about != About::Mesh || j > i) {
+            out.pairs += 1;
+            match self.pair(i, j)? {
+                Found::OwnPlane => out.by_own_plane += 1,
+                Found::Planes(planes) => out.separations.push((i, j, planes)),
+                Found::Crossing(crossing) => out.crossings.push(*crossing),
+            }
+        }
+        Ok(out)
+    }
+
+    fn pair(&self, i: u32, j: u32) -> Result<Found, CertifyError> {
+        let (a, b) = (self.first(i), self.second(j));
+        let exact_common = self.about == About::Mesh;
+        let points: Vec<Named<'_>> = a.into_iter().chain(b).collect();
+        let common = (0..6).map(|k| match points[k].name {
+            // Mesh vertices are common by id; a pinched vertex, wherever a mesh vertex has its coordinates.
+            PointName::Mesh(_) if exact_common => {
+                let other = if k < 3 { &points[3..] } else { &points[..3] };
+                other.iter().any(|o| o.name == points[k].name)
+            }
+            PointName::Mesh(_) => b.iter().any(|p| self.is_pinch(p) && p.at == points[k].at),
+            PointName::Shell(_) => self.is_pinch(&points[k]),
+        });
+        let common = common.collect();
+        let pair = Pair { common, points, split: 3, exact_common };
+        if pair.closed_by([0, 1, 2]) || pair.closed_by([3, 4, 5]) {
+            return Ok(Found::OwnPlane);
+        }
+        match pair.separation() {
+            Some(planes) => Ok(Found::Planes(planes)),
+            None => Ok(Found::Crossing(Box::new(crossing(i, j, a, b)?))),
+        }
+    }
+
+    fn is_pinch(&self, point: &Named<'_>) -> bool {
+        matches!(point.name, PointName::Shell(n) if self.shell.is_pinched(n.vertex))
+    }
+}
+
+/// A point of both triangles; the first one has area.
+fn crossing(i: u32, j: u32, a: [Named<'_>; 3], b: [Named<'_>; 3]) -> Result<Crossing, CertifyError> {
+    let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
+    let coordinates: Vec<[f64; 3]> = a.iter().chain(&b).map(|n| *n.at).collect();
+    let (x, _) = scale_points(&coordinates);
+    let (first, second) = ([&x[0], &x[1], &x[2]], [&x[3], &x[4], &x[5]]);
+    let common = cut_with_triangle(second, first);
+    debug_assert!(!common.is_empty() || !has_area(&common));
+    let Some(centre) = centre(&common) else { return Err(broken) };
+    let in_second = to_integers(&centre);
+    let point = weighted(second, &in_second);
+    let Some(in_first) = in_triangle(&point, first) else { return Err(broken) };
+    Ok(Crossing { first: i, second: j, in_first: to_integers(&in_first), in_second })
+}

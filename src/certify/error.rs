@@ -1,0 +1,49 @@
+//! What keeps a verdict from being reached.
+
+use crate::mesh::MeshError;
+use crate::shell::Name;
+use crate::shell::validate::ShellError;
+
+/// Why there is no verdict. None of these says anything about a claim.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CertifyError {
+    /// The shell breaks an input condition of THEORY section 1.
+    #[error("the shell is no valid input: {0}")]
+    Shell(#[from] ShellError),
+    /// The mesh breaks an input condition of THEORY section 1.
+    #[error("the mesh is no valid input: {0}")]
+    Mesh(#[from] MeshError),
+    /// A claim about a mesh, but no mesh.
+    #[error("claim `{claim}` is about a mesh, but there is none: give one, or claim `positivity` only")]
+    NoMesh {
+        /// The claim.
+        claim: &'static str,
+    },
+    /// A vertex order that is no permutation of the shell's vertices.
+    #[error("vertex order: {reason}")]
+    Order {
+        /// What is wrong.
+        reason: String,
+    },
+    /// Positive tets that wind around an edge more than once: the lift across it is not unique, and neither a
+    /// certificate nor a witness can be given. Only possible where `positivity` is refuted.
+    #[error("the tets around {} wind more than once, so that the lift is not unique; repair the shell (C1 fails)", names(.names))]
+    Branched {
+        /// The simplex that the tets wind around.
+        names: Vec<Name>,
+    },
+    /// The caller asked to stop.
+    #[error("interrupted before a verdict")]
+    Cancelled,
+    /// The program contradicts itself. Never a verdict; please report it with the input.
+    #[error("internal contradiction: {what}")]
+    Internal {
+        /// What was found.
+        what: &'static str,
+    },
+}
+
+fn names(names: &[Name]) -> String {
+    names.iter().map(ToString::to_string).collect::<Vec<_>>().join("-")
+}

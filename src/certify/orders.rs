@@ -1,0 +1,212 @@
+//! C3 `section-all-orders`: from the overlay of one order, every other order (THEORY section 3, "All orders").
+
+
+use super::complex::{Boundary, TetComplex};
+use super::exact::{ExactPiece, Weights, centre, has_area, to_integers};
+use super::i2::pillar_dots;
+use super::lift::{Lift, Lifting};
+use super::observer::{Observer, Ticker};
+use super::order::VertexOrder;
+use super::point::MeshPoint;
+use super::section::{self, Section};
+use super::witness::NoLift;
+use super::CertifyError;
+use crate::mesh::connectivity::Side;
+use crate::predicate::{StageCounts, orient3d};
+use crate::shell::{Layer, Name, Slab, Tet, decomposition::TETS, decomposition::decomposition};
+
+/// The answer to C3, given C1 and C2.
+#[derive(Debug)]
+pub(crate) enum AllOrders {
+    /// Every order has a section.
+    Certified(Stats),
+    /// Under the order in which these vertices come first there is none.
+    Refuted {
+        /// The vertices that come first.
+        first: Vec<u32>,
+        /// The witness in that order's complex.
+        witness: NoLift,
+    },
+}
+
+/// How much work there was.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Stats {
+    /// Pairs of piece and prism looked at.
+    pub(crate) pairs: u64,
+    /// Those with a dot that is not positive.
+    pub(crate) exceptions: u64,
+    /// How the dots were decided.
+    pub(crate) stages: StageCounts,
+}
+
+/// A piece that meets a tet of another order in the wrong direction.
+struct Conflict {
+    tet: Tet,
+    point: MeshPoint,
+}
+
+/// Decides C3 from the lifts that prove C2 under `order`. All 24 tets of every prism must be positive.
+pub(crate) fn decide(
+    cx: Lifting<'_>,
+    lifts: &[Lift],
+    order: &VertexOrder,
+    observer: &dyn Observer,
+) -> Result<AllOrders, CertifyError> {
+    let mut stats = Stats::default();
+    if let Some(first) = lifts.iter().find_map(|lift| open_wall(&cx, lift, order)) {
+        return refute(&cx, first, order, None, observer);
+    }
+    let mut ticker = Ticker::new(observer);
+    for lift in lifts {
+        for piece in 0..lift.pieces.len() as u32 {
+            if ticker.tick() {
+                return Err(CertifyError::Cancelled);
+            }
+            if let Some(conflict) = piece_conflict(&cx, lift, piece, &mut stats)? {
+                let first = occurs_in(&conflict.tet, cx.complex);
+                return refute(&cx, first, order, Some(&conflict.point), observer);
+            }
+        }
+    }
+    Ok(AllOrders::Certified(stats))
+}
+
+/// A boundary side of the mesh that lies in a wall which bends when its diagonal flips; the order that flips it.
+fn open_wall(cx: &Lifting<'_>, lift: &Lift, order: &VertexOrder) -> Option<Vec<u32>> {
+    let shell = cx.complex.shell;
+    let ranks = order.ranks(shell.middle.len());
+    for id in 0..lift.pieces.len() as u32 {
+        let corners = lift.corners_of(id);
+        let face = lift.pieces[id as usize].face;
+        for (s, (mask, from)) in corners.iter().enumerate() {
+            let (other, to) = &corners[(s + 1) % corners.len()];
+            let side = mask & other & super::clip::SIDES;
+            if side == 0 || cx.mesh.across(face, side.trailing_zeros()).is_some() {
+                continue;
+            }
+            let mut names: Vec<Name> = from.shell().iter().chain(to.shell()).copied().collect();
+            names.sort_unstable();
+            names.dedup();
+            let mut ids: Vec<u32> = names.iter().map(|n| n.vertex).collect();
+            ids.dedup();
+            let [u, w] = ids[..] else { continue };
+            if !wall_is_safe(cx.complex, [u, w], &names) {
+                let flipped = if ranks[u as usize] < ranks[w as usize] { [w, u] } else { [u, w] };
+                return Some(flipped.to_vec());
+            }
+        }
+    }
+    None
+}
+
+/// Do the names lie on the wall's middle edge, or in a slab's wall with coplanar points?
+fn wall_is_safe(complex: &TetComplex<'_>, [u, w]: [u32; 2], names: &[Name]) -> bool {
+    if names.iter().all(|n| n.layer == Layer::Middle) || complex.is_pinched(u) || complex.is_pinched(w) {
+        return true;
+    }
+    Slab::BOTH.iter().any(|slab| {
+        let wall = wall_names([u, w], *slab);
+        let [a, b, c, d] = wall.map(|n| complex.shell.position(n));
+        names.iter().all(|n| wall.contains(n)) && orient3d(a, b, c, d).is_zero()
+    })
+}
+
+/// `lo_u lo_w hi_w hi_u`.
+fn wall_names([u, w]: [u32; 2], slab: Slab) -> [Name; 4] {
+    let name = |vertex, layer| Name { vertex, layer };
+    [name(u, slab.lo()), name(w, slab.lo()), name(w, slab.hi()), name(u, slab.hi())]
+}
+
+/// Looks at one piece in its own prism and in the three across its prism's sides.
+fn piece_conflict(
+    cx: &Lifting<'_>,
+    lift: &Lift,
+    piece: u32,
+    stats: &mut Stats,
+) -> Result<Option<Conflict>, CertifyError> {
+    let record = lift.pieces[piece as usize];
+    let prism = cx.complex.tets[record.tet as usize].prism;
+    let triangle = cx.mesh.points(record.face);
+    let mut exact: Option<Vec<Weights>> = None;
+    let across = (0..3).map(|i| cx.complex.middle.mate(Side::new(prism, i)));
+    let around = std::iter::once((prism, None)).chain(
+        (0..3).zip(across).filter_map(|(i, mate)| mate.map(|m| (m.face(), Some(Side::new(prism, i))))),
+    );
+    for (other, side) in around {
+        stats.pairs += 1;
+        let dots = pillar_dots(triangle, cx.complex.shell, other, &mut stats.stages);
+        if dots.all_positive() {
+            continue;
+        }
+        stats.exceptions += 1;
+        if exact.is_none() {
+            let corners = cx.exact_corners(lift, piece)?;
+            exact = Some(corners.iter().map(|c| to_integers(&c.weights)).collect());
+        }
+        let polygon = exact.as_deref().unwrap_or(&[]);
+        let parts = match side {
+            None => vec![polygon.to_vec()],
+            Some(side) => wall_parts(cx, triangle, polygon, cx.complex.middle.ends(side)),
+        };
+        for tet in cx.complex.shell.prism_tets_unique(other).filter(|t| !dots.of(t).is_positive()) {
+            let against = ExactPiece::new(triangle, tet.names.map(|n| cx.complex.shell.position(n)));
+            for part in &parts {
+                let common = against.cut_with_tet(part);
+                if has_area(&common)
+                    && let Some(weights) = centre(&common)
+                {
+                    return Ok(Some(Conflict { tet, point: MeshPoint { face: record.face, weights } }));
+                }
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The polygon cut with the wall tets of a side, one part a slab.
+fn wall_parts(cx: &Lifting<'_>, triangle: [&[f64; 3]; 3], polygon: &[Weights], ends: [u32; 2]) -> Vec<Vec<Weights>> {
+    if ends.iter().any(|&v| cx.complex.is_pinched(v)) {
+        return Vec::new();
+    }
+    let cut = |slab: &Slab| {
+        let wall = wall_names(ends, *slab).map(|n| cx.complex.shell.position(n));
+        ExactPiece::new(triangle, wall).cut_with_tet(polygon)
+    };
+    Slab::BOTH.iter().map(cut).filter(|part| !part.is_empty()).collect()
+}
+
+/// Vertices of the tet's prism in an order under which the tet occurs.
+fn occurs_in(tet: &Tet, complex: &TetComplex<'_>) -> Vec<u32> {
+    let corners = complex.shell.faces[tet.prism as usize];
+    let orders = [[0u8, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    debug_assert!(usize::from(tet.local) < TETS.len());
+    let found = orders.into_iter().find(|o| decomposition(*o).contains(&usize::from(tet.local)));
+    found.unwrap_or([0, 1, 2]).map(|k| corners[usize::from(k)]).to_vec()
+}
+
+/// The witness under the order in which `first` come first; at `point` when that suffices.
+fn refute(
+    cx: &Lifting<'_>,
+    first: Vec<u32>,
+    order: &VertexOrder,
+    point: Option<&MeshPoint>,
+    observer: &dyn Observer,
+) -> Result<AllOrders, CertifyError> {
+    let shell = cx.complex.shell;
+    let vertices = shell.middle.len();
+    let ranks = order.with_first(&first, vertices).ranks(vertices);
+    let boundary: &Boundary = cx.complex.boundary;
+    let complex = TetComplex::new(shell, cx.complex.middle, boundary, &ranks);
+    let other = Lifting { mesh: cx.mesh, complex: &complex };
+    if let Some(root) = point.and_then(|p| other.root_at(p)) {
+        return Ok(AllOrders::Refuted { first, witness: NoLift::Roots(vec![root]) });
+    }
+    match section::decide(other, observer)? {
+        Section::Refuted(witness) => Ok(AllOrders::Refuted { first, witness }),
+        Section::Certified(_) => {
+            Err(CertifyError::Internal { what: "an order that conflicts with the overlay but has a section" })
+        }
+    }
+}
+

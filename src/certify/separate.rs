@@ -1,0 +1,198 @@
+//! Rule R3: planes that separate two small point sets, found and applied with exact signs.
+
+use std::fmt;
+
+use super::exact::{Vec3, cross, dot, minus};
+use crate::number::dyadic::scale_points;
+use crate::predicate::{Sign, orient3d};
+use crate::shell::Name;
+
+/// A named input point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointName {
+    /// A mesh vertex.
+    Mesh(u32),
+    /// A point of the shell.
+    Shell(Name),
+}
+
+impl fmt::Display for PointName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mesh(v) => write!(f, "g{v}"),
+            Self::Shell(name) => write!(f, "{name}"),
+        }
+    }
+}
+
+/// A separating plane, by the points that define it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaneName {
+    /// Through three points.
+    Through([PointName; 3]),
+    /// Through two points, parallel to the normal of the (first) mesh triangle.
+    Line([PointName; 2]),
+    /// Through the first point, perpendicular to the line to the second.
+    Normal([PointName; 2]),
+}
+
+impl fmt::Display for PlaneName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Through([a, b, c]) => write!(f, "p:{a},{b},{c}"),
+            Self::Line([a, b]) => write!(f, "l:{a},{b}"),
+            Self::Normal([a, b]) => write!(f, "n:{a},{b}"),
+        }
+    }
+}
+
+/// A point of one of the two sets.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Named<'a> {
+    pub(crate) name: PointName,
+    pub(crate) at: &'a [f64; 3],
+}
+
+/// Two point sets and what they may share.
+#[derive(Debug)]
+pub(crate) struct Pair<'a> {
+    /// All points: the first `split` are `A`, the others `B`. `A`'s first three are the mesh triangle.
+    pub(crate) points: Vec<Named<'a>>,
+    pub(crate) split: usize,
+    /// Per point: does it count as common?
+    pub(crate) common: Vec<bool>,
+    /// Whether a remainder must be exactly the common part (C6 of one mesh) or at most one common point.
+    pub(crate) exact_common: bool,
+}
+
+/// Indices of points that all planes so far have gone through.
+type Remainder = Vec<usize>;
+
+impl Pair<'_> {
+    fn is_harmless(&self, remainder: &[usize]) -> bool {
+        let side = |in_a: bool| -> Vec<usize> {
+            remainder.iter().copied().filter(|&i| (i < self.split) == in_a).collect()
+        };
+        let harmless = |in_a: bool| {
+            let left = side(in_a);
+            if self.exact_common {
+                let all = if in_a { 0..self.split } else { self.split..self.points.len() };
+                all.into_iter().all(|i| self.common[i] == left.contains(&i))
+            } else {
+                left.is_empty() || (left.len() == 1 && self.common[left[0]])
+            }
+        };
+        harmless(true) || harmless(false)
+    }
+
+    /// The points on the plane, when it separates what remains.
+    fn pass(&self, remainder: &[usize], value: impl Fn(usize) -> Sign) -> Option<Remainder> {
+        let (mut a, mut b) = (Sign::Zero, Sign::Zero);
+        let mut on = Vec::new();
+        for &i in remainder {
+            let sign = value(i);
+            let side = if i < self.split { &mut a } else { &mut b };
+            match (sign, *side) {
+                (Sign::Zero, _) => on.push(i),
+                (s, Sign::Zero) => *side = s,
+                (s, t) if s == t => {}
+                _ => return None,
+            }
+        }
+        (a == Sign::Zero || b == Sign::Zero || a != b).then_some(on)
+    }
+
+    fn through(&self, remainder: &[usize], [p, q, r]: [usize; 3]) -> Option<Remainder> {
+        let at = |i: usize| self.points[i].at;
+        let spans = [p, q, r];
+        self.pass(remainder, |i| {
+            if spans.contains(&i) { Sign::Zero } else { orient3d(at(p), at(q), at(r), at(i)) }
+        })
+    }
+
+    fn everything(&self) -> Remainder {
+        (0..self.points.len()).collect()
+    }
+
+    /// Does the plane through three of the points separate alone?
+    pub(crate) fn closed_by(&self, plane: [usize; 3]) -> bool {
+        self.through(&self.everything(), plane).is_some_and(|left| self.is_harmless(&left))
+    }
+
+    /// Separating planes, or `None` when the convex hulls share more than they may.
+    ///
+    /// A plane through three of the points suffices where they span space: move any weakly separating plane until it
+    /// rests on three; inside it, planes through two of its points and one off it cut the remaining sets apart. Where
+    /// all points lie in the mesh triangle's plane, lines in that plane do the same one dimension down.
+    pub(crate) fn separation(&self) -> Option<Vec<PlaneName>> {
+        let all = self.everything();
+        self.search(&all, 3)
+    }
+
+    fn search(&self, remainder: &[usize], depth: usize) -> Option<Vec<PlaneName>> {
+        if self.is_harmless(remainder) {
+            return Some(Vec::new());
+        }
+        if depth == 0 {
+            return None;
+        }
+        // A plane that every remaining point lies on gains nothing.
+        let useful = |left: &Remainder| left.len() < remainder.len();
+        let mut options: Vec<(PlaneName, Remainder)> = self.planes_through(remainder).filter(|(_, l)| useful(l)).collect();
+        if options.is_empty() || self.is_flat(remainder) {
+            options.extend(self.flat_planes(remainder).into_iter().filter(|(_, l)| useful(l)));
+        }
+        // The fewer points remain, the fewer planes must follow.
+        options.sort_by_key(|(_, left)| left.len());
+        options.into_iter().find_map(|(plane, left)| {
+            let mut rest = self.search(&left, depth - 1)?;
+            rest.insert(0, plane);
+            Some(rest)
+        })
+    }
+
+    fn planes_through<'s>(
+        &'s self,
+        remainder: &'s [usize],
+    ) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
+        let n = self.points.len();
+        let triples =
+            (0..n).flat_map(move |p| (p + 1..n).flat_map(move |q| (q + 1..n).map(move |r| [p, q, r])));
+        triples.filter_map(move |t| {
+            let left = self.through(remainder, t)?;
+            Some((PlaneName::Through(t.map(|i| self.points[i].name)), left))
+        })
+    }
+
+    fn is_flat(&self, remainder: &[usize]) -> bool {
+        let at = |i: usize| self.points[i].at;
+        remainder.iter().all(|&i| orient3d(at(0), at(1), at(2), at(i)).is_zero())
+    }
+
+    /// Planes perpendicular to the mesh triangle's plane, and planes perpendicular to a line.
+    fn flat_planes(&self, remainder: &[usize]) -> Vec<(PlaneName, Remainder)> {
+        let coordinates: Vec<[f64; 3]> = self.points.iter().map(|p| *p.at).collect();
+        let (x, _) = scale_points(&coordinates);
+        let triangle_normal = cross(&minus(&x[1], &x[0]), &minus(&x[2], &x[0]));
+        let mut out = Vec::new();
+        for p in 0..x.len() {
+            for q in (0..x.len()).filter(|&q| q != p) {
+                let along = minus(&x[q], &x[p]);
+                let mut offer = |normal: Vec3, plane: PlaneName| {
+                    let value = |i: usize| sign(&dot(&normal, &minus(&x[i], &x[p])));
+                    out.extend(self.pass(remainder, value).map(|left| (plane, left)));
+                };
+                let names = [self.points[p].name, self.points[q].name];
+                if p < q {
+                    offer(cross(&along, &triangle_normal), PlaneName::Line(names));
+                }
+                offer(along, PlaneName::Normal(names));
+            }
+        }
+        out
+    }
+}
+
+fn sign(x: &dashu_int::IBig) -> Sign {
+    x.cmp(&dashu_int::IBig::ZERO).into()
+}

@@ -1,0 +1,251 @@
+//! The certificate file, as `certs/FORMAT.md` wants it.
+
+use std::collections::HashMap;
+use std::fmt::{Display, Write as _};
+
+use dashu_int::IBig;
+use sha2::{Digest, Sha256};
+
+use super::claim::{Claim, Verdict};
+use super::disjoint::Disjoint;
+use super::i2::Contacts;
+use super::lift::{Carriers, Lift};
+use super::order::VertexOrder;
+use super::orders::AllOrders;
+use super::proof::{Facts, Implied, Subject};
+use super::section::Section;
+use super::separate::PlaneName;
+use super::witness::{BadTet, NoLift, Root};
+use crate::mesh::TriMesh;
+use crate::shell::{Name, Shell};
+
+/// A certificate under construction; writing to a `String` cannot fail.
+struct Out {
+    text: String,
+    /// Fact lines of each block so far.
+    counts: Vec<u64>,
+}
+
+impl Out {
+    fn line(&mut self, line: std::fmt::Arguments<'_>) {
+        let _ = self.text.write_fmt(line);
+        self.text.push('\n');
+    }
+
+    fn begin(&mut self, block: &str) {
+        self.line(format_args!("begin {block}"));
+        self.counts.push(0);
+    }
+
+    fn fact(&mut self, line: std::fmt::Arguments<'_>) {
+        self.line(line);
+        if let Some(count) = self.counts.last_mut() {
+            *count += 1;
+        }
+    }
+}
+
+/// Items joined by a separator.
+pub(crate) fn joined<T: Display>(items: impl IntoIterator<Item = T>, separator: &str) -> String {
+    let mut out = String::new();
+    for (i, item) in items.into_iter().enumerate() {
+        if i > 0 {
+            out.push_str(separator);
+        }
+        let _ = write!(out, "{item}");
+    }
+    out
+}
+
+/// `b1,m2,t3`.
+pub(crate) fn names(names: &[Name]) -> String {
+    joined(names, ",")
+}
+
+/// A dyadic value: `0`, `-3`, `5*2^-12`.
+pub(crate) fn value((mantissa, exponent): &(IBig, i32)) -> String {
+    if *exponent == 0 { mantissa.to_string() } else { format!("{mantissa}*2^{exponent}") }
+}
+
+fn hash<'p>(points: impl Iterator<Item = &'p [f64; 3]>, faces: &[[u32; 3]]) -> String {
+    let mut sha = Sha256::new();
+    for x in points.flatten() {
+        sha.update(x.to_le_bytes());
+    }
+    for v in faces.iter().flatten() {
+        sha.update(v.to_le_bytes());
+    }
+    let mut out = String::with_capacity(64);
+    for byte in sha.finalize() {
+        let _ = write!(out, "{byte:02x}");
+    }
+    out
+}
+
+fn shell_hash(shell: &Shell) -> String {
+    hash(shell.bottom.iter().chain(&shell.middle).chain(&shell.top), &shell.faces)
+}
+
+fn mesh_hash(mesh: &TriMesh) -> String {
+    hash(mesh.vertices.iter(), &mesh.faces)
+}
+
+/// The whole file.
+pub(crate) fn certificate(subject: &Subject<'_>, facts: &Facts) -> String {
+    let mut out = Out { text: String::new(), counts: Vec::new() };
+    header(subject, facts, &mut out);
+    if let Some(p) = facts.positivity.as_ref().filter(|p| !p.bad.is_empty()) {
+        out.begin("positivity");
+        p.bad.iter().for_each(|bad| tet(bad, &mut out));
+    }
+    match &facts.section {
+        Some(Section::Certified(lifts)) => overlay(lifts, &mut out),
+        Some(Section::Refuted(witness)) => {
+            out.begin("no-section");
+            no_lift(witness, &mut out);
+        }
+        None => {}
+    }
+    if let Some(Implied::Decided(AllOrders::Refuted { first, witness })) = &facts.all_orders {
+        out.begin("no-order");
+        out.fact(format_args!("first {}", joined(first, " ")));
+        no_lift(witness, &mut out);
+    }
+    if let Some(parts) = &facts.disjoint {
+        for (name, part) in ["disjoint-mesh", "disjoint-bottom", "disjoint-top"].into_iter().zip(parts) {
+            out.begin(name);
+            disjoint(part, &mut out);
+        }
+    }
+    if let Some(Implied::Decided(found)) = &facts.contacts {
+        out.begin("i2");
+        contacts(found, &mut out);
+    }
+    if out.counts.is_empty() {
+        out.line(format_args!("counts"));
+    } else {
+        let counts = joined(&out.counts, " ");
+        out.line(format_args!("counts {counts}"));
+    }
+    out.line(format_args!("end"));
+    out.text
+}
+
+fn header(subject: &Subject<'_>, facts: &Facts, out: &mut Out) {
+    out.line(format_args!("homeo-certificate 1"));
+    for claim in Claim::ALL {
+        let Some(verdict) = facts.verdict(claim) else { continue };
+        match (claim, &facts.disjoint) {
+            (Claim::Disjoint, Some(parts)) => {
+                for (about, part) in ["mesh", "bottom", "top"].into_iter().zip(parts) {
+                    let verdict = Verdict::of(part.crossings.is_empty());
+                    out.line(format_args!("claim disjoint-{about} {verdict}"));
+                }
+            }
+            _ => out.line(format_args!("claim {claim} {verdict}")),
+        }
+    }
+    let shell = subject.shell;
+    out.line(format_args!("shell {} {} {}", shell_hash(shell), shell.middle.len(), shell.faces.len()));
+    if let Some(mesh) = subject.mesh {
+        out.line(format_args!("mesh {} {} {}", mesh_hash(mesh), mesh.vertices.len(), mesh.faces.len()));
+    }
+    match subject.order {
+        VertexOrder::Id => out.line(format_args!("order id")),
+        VertexOrder::List(list) => out.line(format_args!("order list {}", joined(list, " "))),
+    }
+    let removed = 24 * shell.faces.len() - shell.tet_count();
+    let pinched: String = shell.pinched_vertices().iter().map(|v| format!(" {v}")).collect();
+    out.line(format_args!("pinched {removed}{pinched}"));
+}
+
+fn tet(bad: &BadTet, out: &mut Out) {
+    out.fact(format_args!("tet {} {} {}", bad.prism, names(&bad.names), value(&bad.value)));
+}
+
+/// Overlay vertices numbered by first use, cells in the order of the flood, and the two degree tests.
+fn overlay(lifts: &[Lift], out: &mut Out) {
+    out.begin("overlay");
+    let mut ids: HashMap<Carriers, u32> = HashMap::new();
+    let mut cells = Vec::with_capacity(lifts.iter().map(|l| l.corners.len()).sum());
+    for (_, carriers) in lifts.iter().flat_map(|l| &l.corners) {
+        let next = ids.len() as u32;
+        let id = *ids.entry(*carriers).or_insert(next);
+        if id == next {
+            out.fact(format_args!("v {} {}", joined(carriers.mesh(), ","), names(carriers.shell())));
+        }
+        cells.push(id);
+    }
+    let mut at = 0;
+    for lift in lifts {
+        for piece in 0..lift.pieces.len() as u32 {
+            let n = lift.corners_of(piece).len();
+            out.fact(format_args!("c {}", joined(&cells[at..at + n], " ")));
+            at += n;
+        }
+    }
+    // The first piece of each lift has passed the degree test in both charts.
+    let mut cell = 0;
+    let mut firsts = Vec::with_capacity(lifts.len());
+    for lift in lifts {
+        firsts.push((lift.middle_component, cell));
+        cell += lift.pieces.len();
+    }
+    firsts.iter().for_each(|(_, cell)| out.fact(format_args!("d mesh {cell} 0")));
+    firsts.sort_unstable();
+    firsts.iter().for_each(|(_, cell)| out.fact(format_args!("d middle {cell} 0")));
+}
+
+fn no_lift(witness: &NoLift, out: &mut Out) {
+    match witness {
+        NoLift::Components { mesh, middle } => out.fact(format_args!("topology components {mesh} {middle}")),
+        NoLift::Euler { mesh, middle } => out.fact(format_args!("topology euler {mesh} {middle}")),
+        NoLift::Tet(bad) => tet(bad, out),
+        NoLift::Roots(roots) => roots.iter().for_each(|r| root(r, out)),
+    }
+}
+
+fn root(root: &Root, out: &mut Out) {
+    out.fact(format_args!("root {} {}", root.face, joined(&root.weights, " ")));
+    for branch in &root.branches {
+        out.fact(format_args!("branch {}", names(&branch.carrier)));
+        for leg in &branch.legs {
+            out.fact(format_args!("start {}", names(&leg.start)));
+            for step in &leg.steps {
+                let (weights, tet) = (joined(&step.weights, " "), names(&step.tet));
+                out.fact(format_args!("step {} {weights} {tet}", step.face));
+            }
+        }
+        out.fact(format_args!("{}", branch.ending.word()));
+    }
+}
+
+fn planes(planes: &[PlaneName]) -> String {
+    joined(planes, " ")
+}
+
+fn disjoint(part: &Disjoint, out: &mut Out) {
+    if part.crossings.is_empty() {
+        for (i, j, list) in &part.separations {
+            out.fact(format_args!("sep {i} {j} {}", planes(list)));
+        }
+    }
+    for c in &part.crossings {
+        let (a, b) = (joined(&c.in_first, " "), joined(&c.in_second, " "));
+        out.fact(format_args!("cross {} {} {a} {b}", c.first, c.second));
+    }
+}
+
+fn contacts(found: &Contacts, out: &mut Out) {
+    if found.contacts.is_empty() {
+        for s in &found.separations {
+            let list = planes(&s.planes);
+            out.fact(format_args!("contact-sep {} {} {} {list}", s.face, s.prism, names(&s.names)));
+        }
+    }
+    for c in &found.contacts {
+        let (a, b) = (joined(&c.in_face, " "), joined(&c.in_tet, " "));
+        let (tet, value) = (names(&c.names), value(&c.value));
+        out.fact(format_args!("contact {} {} {tet} {a} {b} {value}", c.face, c.prism));
+    }
+}
