@@ -202,7 +202,11 @@ fn replace_file(
     write: impl FnOnce(&mut std::io::BufWriter<&std::fs::File>) -> std::io::Result<()>,
 ) -> std::io::Result<()> {
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
-    let temporary = tempfile::NamedTempFile::new_in(parent.unwrap_or(std::path::Path::new(".")))?;
+    let mut builder = tempfile::Builder::new();
+    // The umask applies, as to any other new file; the default would be private to the user.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let temporary = builder.tempfile_in(parent.unwrap_or(std::path::Path::new(".")))?;
     let mut out = std::io::BufWriter::new(temporary.as_file());
     write(&mut out)?;
     std::io::Write::flush(&mut out)?;

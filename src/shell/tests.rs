@@ -266,6 +266,23 @@ fn real_shells_have_the_stated_bad_tets() {
     }
 }
 
+/// Straight, bent, pinched: counted by another program with rational numbers.
+#[test]
+fn real_shells_have_the_stated_pillars() {
+    let Some(directory) = shell_directory() else { return };
+    for (name, expected) in [
+        ("cube.obj.h5", [15, 20, 0]),
+        ("cube.obj.thick50.h5", [10, 21, 0]),
+        ("tennis.off.h5", [32, 21, 1]),
+        ("sphere.obj.h5.init", [336, 46, 0]),
+        ("bunny.off.h5", [74, 55, 0]),
+    ] {
+        let file = hdf5::read(&directory.join(name)).unwrap_or_else(|error| panic!("{error}"));
+        let counts = file.shell.pillar_counts();
+        assert_eq!([counts.straight, counts.bent, counts.pinched], expected, "{name}");
+    }
+}
+
 #[test]
 fn straightness_is_exact() {
     let pillar = |m: [f64; 3], t: [f64; 3]| Shell {

@@ -168,7 +168,7 @@ impl Out {
     /// A message of a version 1 object header; its body is padded to a multiple of 8.
     fn message(&mut self, kind: u16, flags: u8, body: &Self) -> &mut Self {
         let size = body.0.len().next_multiple_of(8);
-        // Bodies have at most 40 bytes.
+        // Bodies have at most 40 bytes: a dataspace of two dimensions.
         #[allow(clippy::cast_possible_truncation)]
         self.u16(kind).u16(size as u16).bytes(&[flags, 0, 0, 0]).bytes(&body.0);
         self.zeros_until(self.0.len() + size - body.0.len())
@@ -289,8 +289,9 @@ fn group(out: &mut Out, sets: &[Set], plan: &Plan) {
 fn header(set: &Set, address: u64) -> Out {
     let mut space = Out::default();
     #[allow(clippy::cast_possible_truncation)] // one or two dimensions
-    space.bytes(&[1, set.shape.len() as u8, 0, 0, 0, 0, 0, 0]);
-    for &extent in &set.shape {
+    // Version 1, rank, and the flag for "maximal extents follow", which equal the extents.
+    space.bytes(&[1, set.shape.len() as u8, 1, 0, 0, 0, 0, 0]);
+    for &extent in set.shape.iter().chain(&set.shape) {
         space.size(extent);
     }
     let mut datatype = Out::default();

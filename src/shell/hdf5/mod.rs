@@ -14,13 +14,18 @@
 //! Only the first four are required. [`read`] and [`parse`] read, [`write()`] and [`to_bytes`]
 //! write; a file written here and read again is equal bit by bit.
 //!
-//! **Which crate reads.** `hdf5-pure` (MIT or Apache-2.0, pure Rust, no system library) reads all
-//! 20 files of the reference program that were at hand, and every layout that h5py writes. It
-//! interprets a float or integer type by its size alone and allocates what a dataset's extent
-//! says, so [`source`] first compares the stored type with the IEEE or two's complement one, and
-//! the extent with the file's length. **Which crate writes.** None: the format's oldest subset is
-//! what the reference program itself writes and what small independent parsers read, and it is
-//! a few fixed records; see [`to_bytes`].
+//! **Which crate reads.** `hdf5-pure` 0.47 (MIT or Apache-2.0, pure Rust, no system library). It
+//! reads all 20 files of the reference program that were at hand and what h5py writes from them:
+//! big-endian, chunked, gzip, shuffle, Fletcher-32, LZF, and the newest format but for chunk indexes of
+//! HDF5 2.0 (layout message version 5: an error that says so). On damaged files it limits nesting
+//! and returns errors, with four gaps, which this module's `source` closes before it lets values be
+//! read: a number type is told by its size alone; memory follows the extent that a dataset claims;
+//! missing chunks read as fill values; a chunk's offset is added without a check for overflow (a
+//! panic in debug builds). Over 1,000,000 randomly damaged files of five encodings then gave no
+//! panic within 1 GB of address space. As it served, no other crate was tried.
+//!
+//! **Which crate writes.** None: the format's oldest subset is what the reference program itself
+//! writes and what small independent parsers read, and it is a few fixed records; see [`to_bytes`].
 
 mod encode;
 mod parse;

@@ -173,7 +173,7 @@ impl FileParts {
 
     /// An n x 3 dataset of finite coordinates.
     fn points(&self, name: &str) -> Result<Vec<[f64; 3]>, ReadError> {
-        let rows = self.rows(name, self.source.floats(name)?)?;
+        let rows = self.rows(name, &self.source.floats(name)?)?;
         let bad = rows.iter().position(|row| row.iter().any(|x| !x.is_finite()));
         match bad {
             Some(row) => Err(self.source.error(name, format!("row {row} is not finite: {:?}", rows[row]))),
@@ -183,7 +183,7 @@ impl FileParts {
 
     /// An n x 3 dataset of indices below `limit`.
     fn triangles(&self, name: &str, limit: usize) -> Result<Vec<[u32; 3]>, ReadError> {
-        let rows = self.rows(name, self.source.integers(name)?)?;
+        let rows = self.rows(name, &self.source.integers(name)?)?;
         let convert = |(row, values): (usize, &[i64; 3])| {
             let mut face = [0; 3];
             for (slot, &value) in face.iter_mut().zip(values) {
@@ -194,7 +194,7 @@ impl FileParts {
         rows.iter().enumerate().map(convert).collect()
     }
 
-    fn rows<T: Copy>(&self, name: &str, table: Table<T>) -> Result<Vec<[T; 3]>, ReadError> {
+    fn rows<T: Copy>(&self, name: &str, table: &Table<T>) -> Result<Vec<[T; 3]>, ReadError> {
         if !matches!(table.shape.as_slice(), [_, 3]) {
             let reason = format!("has shape {:?} instead of n x 3", table.shape);
             return Err(self.source.error(name, reason));

@@ -78,7 +78,7 @@ impl Source {
         if count == 0 {
             return Ok(Table { shape, values: Vec::new() });
         }
-        self.check_extent(&dataset, count).map_err(fail)?;
+        self.check_extent(&dataset, &shape, count).map_err(fail)?;
         let values = guarded(|| read(&dataset)).map_err(fail)?;
         if values.len() as u64 != count {
             return Err(fail(format!("has {} values where its shape {shape:?} says {count}", values.len())));
@@ -88,7 +88,7 @@ impl Source {
 
     /// Compares the extent with the file's length, so that no allocation exceeds what the file
     /// can justify.
-    fn check_extent(&self, dataset: &Dataset, count: u64) -> Result<(), String> {
+    fn check_extent(&self, dataset: &Dataset, shape: &[u64], count: u64) -> Result<(), String> {
         let element = guarded(|| dataset.element_size())?;
         let total =
             count.checked_mul(element).filter(|&total| total <= self.bytes.saturating_mul(MAX_INFLATION));
@@ -109,12 +109,21 @@ impl Source {
             Layout::Compact { size } | Layout::Contiguous { size, .. } => {
                 Err(format!("stores {size} bytes where its shape says {total}"))
             }
-            Layout::Chunked { chunk_shape, .. } => self.check_chunks(dataset, &chunk_shape, element, total),
+            Layout::Chunked { chunk_shape, .. } => {
+                self.check_chunks(dataset, shape, &chunk_shape, element, total)
+            }
             _ => Err("is stored in a layout (virtual dataset) that is not supported".to_owned()),
         }
     }
 
-    fn check_chunks(&self, dataset: &Dataset, chunk: &[u64], element: u64, total: u64) -> Result<(), String> {
+    fn check_chunks(
+        &self,
+        dataset: &Dataset,
+        shape: &[u64],
+        chunk: &[u64],
+        element: u64,
+        total: u64,
+    ) -> Result<(), String> {
         let filters = guarded(|| Ok(dataset.filters()))?;
         if let Some(filter) = filters.iter().find(|filter| !KNOWN_FILTERS.contains(filter)) {
             return Err(format!("uses the HDF5 filter {filter}, which is not supported"));
@@ -122,12 +131,38 @@ impl Source {
         let limit = if filters.is_empty() { self.bytes } else { self.bytes.saturating_mul(MAX_INFLATION) };
         let chunk_bytes = chunk.iter().try_fold(element, |product, &n| product.checked_mul(n));
         match chunk_bytes {
-            Some(bytes) if bytes <= limit && total <= limit => Ok(()),
+            Some(bytes) if bytes <= limit && total <= limit => complete_grid(dataset, shape, chunk),
             _ => {
                 Err(format!("claims {total} bytes in chunks of {chunk:?} in a file of {} bytes", self.bytes))
             }
         }
     }
+}
+
+/// Every chunk of the grid is there once and none lies elsewhere. The reader would fill a hole with
+/// zeros, and adds up a chunk's offset without a check for overflow.
+fn complete_grid(dataset: &Dataset, shape: &[u64], chunk: &[u64]) -> Result<(), String> {
+    if shape.len() != chunk.len() || chunk.contains(&0) {
+        return Err(format!("has chunks of {chunk:?} for a shape of {shape:?}"));
+    }
+    let mut found: Vec<Vec<u64>> =
+        guarded(|| dataset.chunks())?.into_iter().map(|chunk| chunk.offset).collect();
+    let on_grid = |offset: &Vec<u64>| {
+        let axes = offset.iter().zip(shape).zip(chunk);
+        offset.len() == shape.len()
+            && axes.into_iter().all(|((&at, &extent), &step)| at < extent && at % step == 0)
+    };
+    if let Some(offset) = found.iter().find(|offset| !on_grid(offset)) {
+        return Err(format!("has a chunk at {offset:?}, which is no place in its grid"));
+    }
+    found.sort_unstable();
+    found.dedup();
+    let expected =
+        shape.iter().zip(chunk).try_fold(1_u64, |all, (&n, &step)| all.checked_mul(n.div_ceil(step)));
+    if expected != Some(found.len() as u64) {
+        return Err(format!("has {} different chunks, which do not cover its shape {shape:?}", found.len()));
+    }
+    Ok(())
 }
 
 fn is_float(datatype: &Datatype) -> Result<(), String> {
