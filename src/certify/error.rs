@@ -28,7 +28,7 @@ pub enum CertifyError {
     },
     /// Positive tets that wind around an edge more than once: the lift across it is not unique, and neither a
     /// certificate nor a witness can be given. Only possible where `positivity` is refuted.
-    #[error("the tets around {} wind more than once, so that the lift is not unique; repair the shell (C1 fails)", names(.names))]
+    #[error("the tets around {} wind more than once, so that the lift is not unique; repair the shell (C1 fails)", listed(.names))]
     Branched {
         /// The simplex that the tets wind around.
         names: Vec<Name>,
@@ -44,6 +44,6 @@ pub enum CertifyError {
     },
 }
 
-fn names(names: &[Name]) -> String {
+fn listed(names: &[Name]) -> String {
     names.iter().map(ToString::to_string).collect::<Vec<_>>().join("-")
 }

@@ -64,10 +64,15 @@ pub(crate) fn normalised<const N: usize>(weights: &[IBig; N]) -> Option<[RBig; N
     Some(weights.each_ref().map(|w| RBig::from(w.clone()) / RBig::from(sum.clone())))
 }
 
+/// The sum of fractions.
+pub(crate) fn sum(terms: impl Iterator<Item = RBig>) -> RBig {
+    terms.fold(RBig::ZERO, |total, x| total + x)
+}
+
 /// The mean of some points given by weights with sum one.
 pub(crate) fn mean<const N: usize>(points: &[[RBig; N]]) -> [RBig; N] {
     let n = RBig::from(points.len().max(1));
-    std::array::from_fn(|i| points.iter().map(|p| p[i].clone()).sum::<RBig>() / &n)
+    std::array::from_fn(|i| sum(points.iter().map(|p| p[i].clone())) / &n)
 }
 
 /// Determinant of three rows.
@@ -123,8 +128,7 @@ impl ExactPiece {
         }
         let volume = RBig::from(self.volume.clone());
         Some(self.volumes.each_ref().map(|row| {
-            let sum: RBig = (0..3).map(|i| &weights[i] * RBig::from(row[i].clone())).sum();
-            sum / &volume
+            sum((0..3).map(|i| &weights[i] * RBig::from(row[i].clone()))) / &volume
         }))
     }
 

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::clip::Mask;
-use super::exact::{ExactPiece, det3, mean, normalised, to_integers};
+use super::exact::{ExactPiece, det3, mean, normalised, sum, to_integers};
 use super::lift::{Lift, Lifting, Reason, Violation};
 use super::point::MeshPoint;
 use super::witness::{Ending, Leg, Step};
@@ -33,7 +33,7 @@ impl Lifting<'_> {
             let in_tet = exact.in_tet(&weights).ok_or_else(|| broken("piece in a flat tet"))?;
             let projected = prism.map(|v| {
                 let on_pillar = tet.names.iter().zip(&in_tet).filter(|(n, _)| n.vertex == v);
-                on_pillar.map(|(_, x)| x.clone()).sum()
+                sum(on_pillar.map(|(_, x)| x.clone()))
             });
             Ok(ExactCorner { weights, projected })
         };
@@ -119,11 +119,11 @@ pub(crate) fn preimage(corners: &[ExactCorner], chart: Chart, q: &[RBig; 3]) -> 
         if parts.iter().any(|x| *x < RBig::ZERO) {
             return None;
         }
-        let sum: RBig = parts.iter().sum();
-        if sum == RBig::ZERO {
+        let total = sum(parts.iter().cloned());
+        if total == RBig::ZERO {
             return None;
         }
-        let weight = |i: usize| (0..3).map(|k| &parts[k] * &triangle[k].weights[i]).sum::<RBig>() / &sum;
+        let weight = |i: usize| sum((0..3).map(|k| &parts[k] * &triangle[k].weights[i])) / &total;
         Some([weight(0), weight(1), weight(2)])
     })
 }

@@ -165,7 +165,7 @@ pub fn certify(
         options.claims.iter().flat_map(|c| c.with_prerequisites()).copied().collect();
     let needs_mesh = wanted.iter().find(|c| **c != Claim::Positivity);
     observer.stage("reading", None);
-    validate::check(shell)?;
+    validate::validate(shell)?;
     let order = VertexOrder::clone(&options.order);
     if let VertexOrder::List(list) = &order {
         VertexOrder::from_list(list.clone(), shell.middle.len())?;
