@@ -181,7 +181,7 @@ pub fn certify(
         let mesh = mesh.ok_or(CertifyError::NoMesh { claim: claim.name() })?;
         about_mesh(&subject, mesh, &wanted, &mut facts, &mut seconds, observer)?;
     }
-    let claims = wanted.iter().filter_map(|&c| Some(result(c, facts.verdict(c)?, &facts, &seconds))).collect();
+    let claims = wanted.iter().filter_map(|&c| Some(result(shell, c, facts.verdict(c)?, &facts, &seconds))).collect();
     observer.stage("writing", None);
     let certificate = write::certificate(&subject, &facts);
     Ok(Outcome { claims, certificate })
@@ -281,7 +281,7 @@ impl Seconds {
     }
 }
 
-fn result(claim: Claim, verdict: Verdict, facts: &Facts, seconds: &Seconds) -> ClaimResult {
+fn result(shell: &Shell, claim: Claim, verdict: Verdict, facts: &Facts, seconds: &Seconds) -> ClaimResult {
     let mut out = ClaimResult {
         claim,
         verdict,
@@ -291,7 +291,7 @@ fn result(claim: Claim, verdict: Verdict, facts: &Facts, seconds: &Seconds) -> C
         refutations: Vec::new(),
     };
     match claim {
-        Claim::Positivity => positivity_result(facts, &mut out),
+        Claim::Positivity => positivity_result(shell, facts, &mut out),
         Claim::Section | Claim::Bijection => section_result(facts, &mut out),
         Claim::SectionAllOrders => all_orders_result(facts, &mut out),
         Claim::Disjoint => disjoint_result(facts, &mut out),
@@ -323,10 +323,11 @@ impl ClaimResult {
     }
 }
 
-fn positivity_result(facts: &Facts, out: &mut ClaimResult) {
+fn positivity_result(shell: &Shell, facts: &Facts, out: &mut ClaimResult) {
     let Some(found) = &facts.positivity else { return };
     let prisms: BTreeSet<u32> = found.bad.iter().map(|b| b.prism).collect();
-    out.count("tets", usize::try_from(found.stages.total()).unwrap_or(usize::MAX));
+    out.count("tets", shell.tet_count());
+    out.count("different_tets", usize::try_from(found.stages.total()).unwrap_or(usize::MAX));
     out.count("tets_not_positive", found.bad.len());
     out.count("prisms_not_positive", prisms.len());
     out.stages(&found.stages);
