@@ -16,7 +16,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("    {}: {}", count.what, count.count);
         }
         for part in &claim.parts {
-            println!("    {}: {} ({} of {} pairs share a point)", part.about, part.verdict, part.crossings, part.pairs);
+            println!(
+                "    {}: {} ({} of {} pairs share a point)",
+                part.about, part.verdict, part.crossings, part.pairs
+            );
         }
         for refutation in claim.refutations.iter().take(2) {
             println!("    {}: {}", refutation.kind, refutation.text);

@@ -3,12 +3,12 @@
 use dashu_int::IBig;
 use rayon::prelude::*;
 
+use super::CertifyError;
 use super::complex::MeshView;
 use super::exact::{centre, cut_with_triangle, has_area, in_triangle, to_integers, weighted};
 use super::observer::Observer;
 use super::pairs::BoxTree;
 use super::separate::{Named, Pair, PlaneName, PointName};
-use super::CertifyError;
 use crate::number::dyadic::scale_points;
 use crate::shell::{Layer, Shell};
 

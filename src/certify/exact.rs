@@ -11,6 +11,9 @@ use crate::number::dyadic::scale_points;
 /// An integer vector.
 pub(crate) type Vec3 = [IBig; 3];
 
+/// The integer weights of a point on three points, not yet divided by their sum.
+pub(crate) type Weights = Vec3;
+
 /// `a - b`.
 pub(crate) fn minus(a: &Vec3, b: &Vec3) -> Vec3 {
     [0, 1, 2].map(|i| &a[i] - &b[i])
@@ -106,9 +109,9 @@ impl ExactPiece {
         Self { volumes, volume }
     }
 
-    /// Barycentric coordinates in the triangle of the corner on the given lines. A corner of a polygon lies on two
-    /// lines that cross; `None` for a mask that no corner has.
-    pub(crate) fn weights(&self, mask: Mask) -> Option<[RBig; 3]> {
+    /// Integer weights in the triangle of the corner on the given lines. A corner of a polygon lies on two lines that
+    /// cross; `None` for a mask that no corner has.
+    pub(crate) fn corner(&self, mask: Mask) -> Option<Weights> {
         let line = |bit: usize| -> Vec3 {
             if bit < 3 {
                 [0, 1, 2].map(|i| IBig::from(u8::from(i == bit)))
@@ -117,8 +120,21 @@ impl ExactPiece {
             }
         };
         let lines: Vec<Vec3> = (0..7).filter(|b| mask & (1 << b) != 0).map(line).collect();
-        let pairs = lines.iter().enumerate().flat_map(|(i, a)| lines[i + 1..].iter().map(move |b| cross(a, b)));
-        pairs.filter_map(|w| normalised(&w)).next()
+        let pairs =
+            lines.iter().enumerate().flat_map(|(i, a)| lines[i + 1..].iter().map(move |b| cross(a, b)));
+        pairs.into_iter().find_map(|w| {
+            let sum: IBig = w.iter().sum();
+            match (sum == IBig::ZERO, is_negative(&sum)) {
+                (true, _) => None,
+                (_, true) => Some(w.map(|x| -x)),
+                _ => Some(w),
+            }
+        })
+    }
+
+    /// The same with sum one.
+    pub(crate) fn weights(&self, mask: Mask) -> Option<[RBig; 3]> {
+        normalised(&self.corner(mask)?)
     }
 
     /// Barycentric coordinates in the tet of a point of the triangle's plane; with sum one. `None` for a flat tet.
@@ -127,9 +143,11 @@ impl ExactPiece {
             return None;
         }
         let volume = RBig::from(self.volume.clone());
-        Some(self.volumes.each_ref().map(|row| {
-            sum((0..3).map(|i| &weights[i] * RBig::from(row[i].clone()))) / &volume
-        }))
+        Some(
+            self.volumes
+                .each_ref()
+                .map(|row| sum((0..3).map(|i| &weights[i] * RBig::from(row[i].clone()))) / &volume),
+        )
     }
 
     /// The tet's vertices (as a bit set) on which a point of the closed tet has a positive coordinate; `None` when the
@@ -146,9 +164,6 @@ impl ExactPiece {
         Some(bits.fold(0, |set, (k, _)| set | 1 << k))
     }
 }
-
-/// The integer weights of a point on three points, not yet divided by their sum.
-pub(crate) type Weights = Vec3;
 
 /// The convex polygon (a point or segment, too), given by weights on a triangle's corners, cut with the closed half
 /// space in which a linear function is not negative; `values` are the function's values at the corners.

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use dashu_int::IBig;
 use rayon::prelude::*;
 
+use super::CertifyError;
 use super::complex::MeshView;
 use super::exact::{ExactPiece, centre, cross, dot, minus, to_integers, whole};
 use super::observer::Observer;
@@ -12,7 +13,6 @@ use super::pairs::BoxTree;
 use super::point::{bounds, boxes_meet};
 use super::positivity::dyadic;
 use super::separate::{Named, Pair, PlaneName, PointName};
-use super::CertifyError;
 use crate::number::dyadic::scale_points;
 use crate::predicate::{Sign, StageCounts, dot_sign_staged};
 use crate::shell::{Layer, Name, Shell, Slab, Tet};
@@ -162,14 +162,17 @@ impl<'a> Job<'a> {
             return Ok(());
         }
         match pair.separation() {
-            Some(planes) => out.separations.push(ContactSeparation { face: f, prism: tet.prism, names, planes }),
+            Some(planes) => {
+                out.separations.push(ContactSeparation { face: f, prism: tet.prism, names, planes })
+            }
             None => out.contacts.push(self.contact(f, names, tet)?),
         }
         Ok(())
     }
 
     fn contact(&self, f: u32, names: [Name; 4], tet: &Tet) -> Result<Contact, CertifyError> {
-        let broken = || CertifyError::Internal { what: "a triangle and a tet that neither meet nor can be separated" };
+        let broken =
+            || CertifyError::Internal { what: "a triangle and a tet that neither meet nor can be separated" };
         let triangle = self.mesh.points(f);
         // Sorted names may be a mirrored tet: coordinates do not mind.
         let exact = ExactPiece::new(triangle, names.map(|n| self.shell.position(n)));
@@ -192,7 +195,8 @@ impl<'a> Job<'a> {
         names.sort_unstable();
         names.dedup();
         let points = self.named(f, &names);
-        let common = points.iter().map(|p| matches!(p.name, PointName::Shell(n) if self.shell.is_pinched(n.vertex)));
+        let common =
+            points.iter().map(|p| matches!(p.name, PointName::Shell(n) if self.shell.is_pinched(n.vertex)));
         let common = common.collect();
         let pair = Pair { points, split: 3, common, exact_common: false };
         !pair.closed_by([0, 1, 2]) && pair.separation().is_none()

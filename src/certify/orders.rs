@@ -1,16 +1,18 @@
 //! C3 `section-all-orders`: from the overlay of one order, every other order (THEORY section 3, "All orders").
 
+use rayon::prelude::*;
 
+use super::CertifyError;
+use super::clip::{SIDES, clip};
 use super::complex::{Boundary, TetComplex};
-use super::exact::{ExactPiece, Weights, centre, has_area, to_integers};
+use super::exact::{ExactPiece, Weights, centre, has_area};
 use super::i2::pillar_dots;
 use super::lift::{Lift, Lifting};
-use super::observer::{Observer, Ticker};
+use super::observer::Observer;
 use super::order::VertexOrder;
 use super::point::MeshPoint;
 use super::section::{self, Section};
 use super::witness::NoLift;
-use super::CertifyError;
 use crate::mesh::connectivity::Side;
 use crate::predicate::{StageCounts, orient3d};
 use crate::shell::{Layer, Name, Slab, Tet, decomposition::TETS, decomposition::decomposition};
@@ -40,6 +42,14 @@ pub(crate) struct Stats {
     pub(crate) stages: StageCounts,
 }
 
+impl std::ops::AddAssign for Stats {
+    fn add_assign(&mut self, other: Self) {
+        self.pairs += other.pairs;
+        self.exceptions += other.exceptions;
+        self.stages += other.stages;
+    }
+}
+
 /// A piece that meets a tet of another order in the wrong direction.
 struct Conflict {
     tet: Tet,
@@ -57,19 +67,43 @@ pub(crate) fn decide(
     if let Some(first) = lifts.iter().find_map(|lift| open_wall(&cx, lift, order)) {
         return refute(&cx, first, order, None, observer);
     }
-    let mut ticker = Ticker::new(observer);
     for lift in lifts {
-        for piece in 0..lift.pieces.len() as u32 {
-            if ticker.tick() {
-                return Err(CertifyError::Cancelled);
-            }
-            if let Some(conflict) = piece_conflict(&cx, lift, piece, &mut stats)? {
+        let pieces: Vec<u32> = (0..lift.pieces.len() as u32).collect();
+        let parts: Vec<Result<(Stats, Option<Conflict>), CertifyError>> =
+            pieces.par_chunks(BATCH).map(|chunk| batch(&cx, lift, chunk, observer)).collect();
+        // The first conflict in the order of pieces, whichever thread was faster.
+        for part in parts {
+            let (found, conflict) = part?;
+            stats += found;
+            if let Some(conflict) = conflict {
                 let first = occurs_in(&conflict.tet, cx.complex);
                 return refute(&cx, first, order, Some(&conflict.point), observer);
             }
         }
     }
     Ok(AllOrders::Certified(stats))
+}
+
+/// Pieces a batch: enough to amortise scheduling.
+const BATCH: usize = 256;
+
+fn batch(
+    cx: &Lifting<'_>,
+    lift: &Lift,
+    pieces: &[u32],
+    observer: &dyn Observer,
+) -> Result<(Stats, Option<Conflict>), CertifyError> {
+    let mut stats = Stats::default();
+    if observer.cancelled() {
+        return Err(CertifyError::Cancelled);
+    }
+    for &piece in pieces {
+        if let Some(conflict) = piece_conflict(cx, lift, piece, &mut stats)? {
+            return Ok((stats, Some(conflict)));
+        }
+    }
+    observer.advance(pieces.len() as u64);
+    Ok((stats, None))
 }
 
 /// A boundary side of the mesh that lies in a wall which bends when its diagonal flips; the order that flips it.
@@ -81,7 +115,7 @@ fn open_wall(cx: &Lifting<'_>, lift: &Lift, order: &VertexOrder) -> Option<Vec<u
         let face = lift.pieces[id as usize].face;
         for (s, (mask, from)) in corners.iter().enumerate() {
             let (other, to) = &corners[(s + 1) % corners.len()];
-            let side = mask & other & super::clip::SIDES;
+            let side = mask & other & SIDES;
             if side == 0 || cx.mesh.across(face, side.trailing_zeros()).is_some() {
                 continue;
             }
@@ -140,17 +174,21 @@ fn piece_conflict(
             continue;
         }
         stats.exceptions += 1;
-        if exact.is_none() {
-            let corners = cx.exact_corners(lift, piece)?;
-            exact = Some(corners.iter().map(|c| to_integers(&c.weights)).collect());
-        }
-        let polygon = exact.as_deref().unwrap_or(&[]);
-        let parts = match side {
-            None => vec![polygon.to_vec()],
-            Some(side) => wall_parts(cx, triangle, polygon, cx.complex.middle.ends(side)),
-        };
         for tet in cx.complex.shell.prism_tets_unique(other).filter(|t| !dots.of(t).is_positive()) {
-            let against = ExactPiece::new(triangle, tet.names.map(|n| cx.complex.shell.position(n)));
+            let points = tet.names.map(|n| cx.complex.shell.position(n));
+            // Where the whole triangle has no area in the tet, its pieces have none.
+            if clip(triangle, points).is_none() {
+                continue;
+            }
+            let polygon = match &exact {
+                Some(polygon) => polygon,
+                None => exact.insert(exact_polygon(cx, lift, piece)?),
+            };
+            let parts = match side {
+                None => vec![polygon.clone()],
+                Some(side) => wall_parts(cx, triangle, polygon, cx.complex.middle.ends(side)),
+            };
+            let against = ExactPiece::new(triangle, points);
             for part in &parts {
                 let common = against.cut_with_tet(part);
                 if has_area(&common)
@@ -164,8 +202,21 @@ fn piece_conflict(
     Ok(None)
 }
 
+/// The corners of a piece as weights in its triangle.
+fn exact_polygon(cx: &Lifting<'_>, lift: &Lift, piece: u32) -> Result<Vec<Weights>, CertifyError> {
+    let record = lift.pieces[piece as usize];
+    let exact = ExactPiece::new(cx.mesh.points(record.face), cx.complex.points(record.tet));
+    let corners = lift.corners_of(piece).iter().map(|(mask, _)| exact.corner(*mask));
+    corners.collect::<Option<_>>().ok_or(CertifyError::Internal { what: "corner without two crossing lines" })
+}
+
 /// The polygon cut with the wall tets of a side, one part a slab.
-fn wall_parts(cx: &Lifting<'_>, triangle: [&[f64; 3]; 3], polygon: &[Weights], ends: [u32; 2]) -> Vec<Vec<Weights>> {
+fn wall_parts(
+    cx: &Lifting<'_>,
+    triangle: [&[f64; 3]; 3],
+    polygon: &[Weights],
+    ends: [u32; 2],
+) -> Vec<Vec<Weights>> {
     if ends.iter().any(|&v| cx.complex.is_pinched(v)) {
         return Vec::new();
     }
@@ -209,4 +260,3 @@ fn refute(
         }
     }
 }
-

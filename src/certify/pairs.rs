@@ -33,7 +33,8 @@ impl BoxTree {
     pub(crate) fn meeting(&self, points: &[&[f64; 3]]) -> Vec<u32> {
         let (low, high) = corners(points);
         let envelope = AABB::from_corners(low, high);
-        let mut out: Vec<u32> = self.tree.locate_in_envelope_intersecting(&envelope).map(|g| g.data).collect();
+        let mut out: Vec<u32> =
+            self.tree.locate_in_envelope_intersecting(&envelope).map(|g| g.data).collect();
         out.sort_unstable();
         out
     }

@@ -2,12 +2,12 @@
 
 use dashu_ratio::RBig;
 
+use super::CertifyError;
 use super::clip::Mask;
 use super::exact::{ExactPiece, det3, mean, normalised, sum, to_integers};
 use super::lift::{Lift, Lifting, Reason, Violation};
 use super::point::MeshPoint;
 use super::witness::{Ending, Leg, Step};
-use super::CertifyError;
 
 /// A corner of a piece: weights in its triangle, and projected coordinates on its prism's corners; sums are one.
 #[derive(Clone, Debug)]
@@ -41,7 +41,11 @@ impl Lifting<'_> {
     }
 
     /// The point at which a violation shows, and its kind.
-    pub(crate) fn violation_point(&self, lift: &Lift, v: &Violation) -> Result<(MeshPoint, Ending), CertifyError> {
+    pub(crate) fn violation_point(
+        &self,
+        lift: &Lift,
+        v: &Violation,
+    ) -> Result<(MeshPoint, Ending), CertifyError> {
         let corners = self.exact_corners(lift, v.piece)?;
         let all: Vec<[RBig; 3]> = corners.into_iter().map(|c| c.weights).collect();
         let side = |s: u8| {
@@ -85,7 +89,8 @@ impl Lifting<'_> {
         let weights = mean(&[corners[s].weights.clone(), corners[(s + 1) % corners.len()].weights.clone()]);
         let from = self.mesh.faces[lift.pieces[parent as usize].face as usize];
         let to = self.mesh.faces[record.face as usize];
-        let weights = to.map(|v| from.iter().position(|&u| u == v).map_or(RBig::ZERO, |i| weights[i].clone()));
+        let weights =
+            to.map(|v| from.iter().position(|&u| u == v).map_or(RBig::ZERO, |i| weights[i].clone()));
         let tet = self.complex.sorted_names(record.tet);
         Ok(Step { face: record.face, weights: to_integers(&weights), tet })
     }

@@ -68,7 +68,12 @@ impl Lifting<'_> {
 
     /// What refutes a lift that sends the point to this carrier, from the point's neighbourhood alone; with the tet
     /// that shows it.
-    pub(crate) fn local_failure(&self, point: &MeshPoint, carrier: &[Name], tets: &[u32]) -> Option<(Ending, u32)> {
+    pub(crate) fn local_failure(
+        &self,
+        point: &MeshPoint,
+        carrier: &[Name],
+        tets: &[u32],
+    ) -> Option<(Ending, u32)> {
         let first = *tets.first()?;
         if self.complex.in_cap(carrier) {
             return Some((Ending::Cap, first));

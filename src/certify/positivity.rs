@@ -3,10 +3,10 @@
 use dashu_int::IBig;
 use rayon::prelude::*;
 
+use super::CertifyError;
 use super::exact::determinant;
 use super::observer::Observer;
 use super::witness::BadTet;
-use super::CertifyError;
 use crate::number::dyadic::scale_points;
 use crate::predicate::{StageCounts, orient3d_staged};
 use crate::shell::{Shell, Tet};

@@ -181,7 +181,8 @@ pub fn certify(
         let mesh = mesh.ok_or(CertifyError::NoMesh { claim: claim.name() })?;
         about_mesh(&subject, mesh, &wanted, &mut facts, &mut seconds, observer)?;
     }
-    let claims = wanted.iter().filter_map(|&c| Some(result(shell, c, facts.verdict(c)?, &facts, &seconds))).collect();
+    let claims =
+        wanted.iter().filter_map(|&c| Some(result(shell, c, facts.verdict(c)?, &facts, &seconds))).collect();
     observer.stage("writing", None);
     let certificate = write::certificate(&subject, &facts);
     Ok(Outcome { claims, certificate })
@@ -214,8 +215,8 @@ fn about_mesh(
         facts.section = Some(seconds.of(Claim::Section, || section::decide(cx, observer))?);
         if wanted.contains(&Claim::SectionAllOrders) {
             observer.stage("section-all-orders", None);
-            let answer = seconds
-                .of(Claim::SectionAllOrders, || all_orders(cx, facts, subject.order, observer))?;
+            let answer =
+                seconds.of(Claim::SectionAllOrders, || all_orders(cx, facts, subject.order, observer))?;
             facts.all_orders = Some(answer);
         }
     }
@@ -334,7 +335,12 @@ fn positivity_result(shell: &Shell, facts: &Facts, out: &mut ClaimResult) {
     for bad in found.bad.iter().take(Refutation::LISTED) {
         let value = write::value(&bad.value);
         let tet = write::names(&bad.names);
-        out.refute("tet", format!("tet {tet} of prism {} has determinant {value}", bad.prism), vec![bad.prism], Vec::new());
+        out.refute(
+            "tet",
+            format!("tet {tet} of prism {} has determinant {value}", bad.prism),
+            vec![bad.prism],
+            Vec::new(),
+        );
         out.refutations.last_mut().into_iter().for_each(|r| r.value = Some(value.clone()));
     }
 }
@@ -452,7 +458,10 @@ fn i2_result(facts: &Facts, out: &mut ClaimResult) {
             for c in found.contacts.iter().take(Refutation::LISTED) {
                 let value = write::value(&c.value);
                 let tet = write::names(&c.names);
-                let text = format!("mesh triangle {} touches tet {tet} of prism {} with dot {value}", c.face, c.prism);
+                let text = format!(
+                    "mesh triangle {} touches tet {tet} of prism {} with dot {value}",
+                    c.face, c.prism
+                );
                 out.refute("contact", text, vec![c.prism], vec![c.face]);
                 out.refutations.last_mut().into_iter().for_each(|r| r.value = Some(value.clone()));
             }

@@ -2,6 +2,7 @@
 
 use dashu_int::IBig;
 
+use super::CertifyError;
 use super::complex::MeshView;
 use super::exact::to_integers;
 use super::lift::{Lift, Lifting, Stop};
@@ -10,7 +11,6 @@ use super::path::{Chart, first_centroid, point_of, preimage};
 use super::point::{CarrierMap, MeshPoint};
 use super::positivity::bad_tet;
 use super::witness::{Branch, Ending, Leg, NoLift, Root};
-use super::CertifyError;
 use crate::shell::Name;
 
 /// The answer to C2 and C4.

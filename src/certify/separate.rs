@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::exact::{Vec3, cross, dot, minus};
+use super::exact::{dot, minus};
 use crate::number::dyadic::scale_points;
-use crate::predicate::{Sign, orient3d};
+use crate::predicate::{Sign, orient2d, orient3d, projection_axis};
 use crate::shell::Name;
 
 /// A named input point.
@@ -136,18 +136,35 @@ impl Pair<'_> {
         if depth == 0 {
             return None;
         }
-        // A plane that every remaining point lies on gains nothing.
-        let useful = |left: &Remainder| left.len() < remainder.len();
-        let mut options: Vec<(PlaneName, Remainder)> = self.planes_through(remainder).filter(|(_, l)| useful(l)).collect();
-        if options.is_empty() || self.is_flat(remainder) {
-            options.extend(self.flat_planes(remainder).into_iter().filter(|(_, l)| useful(l)));
-        }
+        let mut open: Vec<(PlaneName, Remainder)> = Vec::new();
+        // A plane that every remaining point lies on gains nothing; one that leaves a harmless rest ends the search.
+        let mut look = |(plane, left): (PlaneName, Remainder)| {
+            if self.is_harmless(&left) {
+                return Some(vec![plane]);
+            }
+            if left.len() < remainder.len() {
+                open.push((plane, left));
+            }
+            None
+        };
+        let space = !self.is_flat(&self.everything());
+        let found = space.then(|| self.planes_through(remainder).find_map(&mut look)).flatten();
+        let found = found.or_else(|| {
+            let flat = self.is_flat(remainder);
+            flat.then(|| {
+                self.lines(remainder)
+                    .find_map(&mut look)
+                    .or_else(|| self.normals(remainder).find_map(&mut look))
+            })?
+        });
         // The fewer points remain, the fewer planes must follow.
-        options.sort_by_key(|(_, left)| left.len());
-        options.into_iter().find_map(|(plane, left)| {
-            let mut rest = self.search(&left, depth - 1)?;
-            rest.insert(0, plane);
-            Some(rest)
+        open.sort_by_key(|(_, left)| left.len());
+        found.or_else(|| {
+            open.into_iter().find_map(|(plane, left)| {
+                let mut rest = self.search(&left, depth - 1)?;
+                rest.insert(0, plane);
+                Some(rest)
+            })
         })
     }
 
@@ -164,32 +181,43 @@ impl Pair<'_> {
         })
     }
 
+    /// Do the points lie in the mesh triangle's plane?
     fn is_flat(&self, remainder: &[usize]) -> bool {
         let at = |i: usize| self.points[i].at;
-        remainder.iter().all(|&i| orient3d(at(0), at(1), at(2), at(i)).is_zero())
+        remainder.iter().all(|&i| i < 3 || orient3d(at(0), at(1), at(2), at(i)).is_zero())
     }
 
-    /// Planes perpendicular to the mesh triangle's plane, and planes perpendicular to a line.
-    fn flat_planes(&self, remainder: &[usize]) -> Vec<(PlaneName, Remainder)> {
+    /// Planes through two of the remaining points, all in the mesh triangle's plane, and perpendicular to it.
+    fn lines<'s>(&'s self, remainder: &'s [usize]) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
+        let at = |i: usize| self.points[i].at;
+        // Within the plane the value's sign is the orientation of the points dropped along an axis, up to one sign
+        // that is the same for all of them and does not matter here.
+        let axis = projection_axis(at(0), at(1), at(2));
+        let pairs = remainder
+            .iter()
+            .flat_map(move |&p| remainder.iter().map(move |&q| [p, q]))
+            .filter(|[p, q]| p < q);
+        pairs.filter_map(move |[p, q]| {
+            let left = self.pass(remainder, |i| match axis {
+                Some(axis) if i != p && i != q => {
+                    orient2d(self.points[p].at, self.points[q].at, self.points[i].at, axis)
+                }
+                _ => Sign::Zero,
+            })?;
+            Some((PlaneName::Line([p, q].map(|i| self.points[i].name)), left))
+        })
+    }
+
+    /// Planes through one of the remaining points, perpendicular to the line to another point.
+    fn normals<'s>(&'s self, remainder: &'s [usize]) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
         let coordinates: Vec<[f64; 3]> = self.points.iter().map(|p| *p.at).collect();
         let (x, _) = scale_points(&coordinates);
-        let triangle_normal = cross(&minus(&x[1], &x[0]), &minus(&x[2], &x[0]));
-        let mut out = Vec::new();
-        for p in 0..x.len() {
-            for q in (0..x.len()).filter(|&q| q != p) {
-                let along = minus(&x[q], &x[p]);
-                let mut offer = |normal: Vec3, plane: PlaneName| {
-                    let value = |i: usize| sign(&dot(&normal, &minus(&x[i], &x[p])));
-                    out.extend(self.pass(remainder, value).map(|left| (plane, left)));
-                };
-                let names = [self.points[p].name, self.points[q].name];
-                if p < q {
-                    offer(cross(&along, &triangle_normal), PlaneName::Line(names));
-                }
-                offer(along, PlaneName::Normal(names));
-            }
-        }
-        out
+        let ends = remainder.iter().flat_map(move |&p| (0..self.points.len()).map(move |q| [p, q]));
+        ends.filter(|[p, q]| p != q).filter_map(move |[p, q]| {
+            let along = minus(&x[q], &x[p]);
+            let left = self.pass(remainder, |i| sign(&dot(&along, &minus(&x[i], &x[p]))))?;
+            Some((PlaneName::Normal([p, q].map(|i| self.points[i].name)), left))
+        })
     }
 }
 

@@ -94,7 +94,16 @@ pub fn grid(n: u32, z: f64, alternate: bool) -> (Vec<Point>, Vec<[u32; 3]>) {
 
 /// A ring around the z axis that goes `turns` times around before it closes; eight steps a turn.
 pub fn ring(turns: u32, z: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
-    let around = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-1.0, 1.0], [-1.0, 0.0], [-1.0, -1.0], [0.0, -1.0], [1.0, -1.0]];
+    let around = [
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [-1.0, 1.0],
+        [-1.0, 0.0],
+        [-1.0, -1.0],
+        [0.0, -1.0],
+        [1.0, -1.0],
+    ];
     let n = 8 * turns;
     let mut v = Vec::new();
     for i in 0..n {
@@ -109,7 +118,13 @@ pub fn ring(turns: u32, z: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
     (v, f.collect())
 }
 
-fn case(name: &'static str, shell: Shell, mesh: TriMesh, refuted: &'static [Claim], shows: &'static [&'static str]) -> Case {
+fn case(
+    name: &'static str,
+    shell: Shell,
+    mesh: TriMesh,
+    refuted: &'static [Claim],
+    shows: &'static [&'static str],
+) -> Case {
     Case { name, shell, mesh, options: Options::default(), refuted, shows }
 }
 
@@ -139,19 +154,29 @@ fn certified() -> Vec<Case> {
     let (p, q) = grid(2, 0.0, false);
     let (tp, tq) = grid(2, 0.25, true);
     let flat = extruded(&p, &q, DOWN, UP);
-    let listed = Options {
-        order: VertexOrder::from_list((0..9).rev().collect(), 9).unwrap(),
-        ..Options::default()
-    };
+    let listed =
+        Options { order: VertexOrder::from_list((0..9).rev().collect(), 9).unwrap(), ..Options::default() };
     let only_c1 = Options { claims: vec![Claim::Positivity], ..Options::default() };
     let only_c2 = Options { claims: vec![Claim::Section], ..Options::default() };
     let (rv, rf) = ring(1, 0.0);
     vec![
         case("ball", ball.clone(), mesh(&v2, &f2), &[], &["d middle 0 0"]),
-        Case { name: "ball-positivity", options: only_c1, ..case("", ball, mesh(&v2, &f2), &[], &["counts"]) },
+        Case {
+            name: "ball-positivity",
+            options: only_c1,
+            ..case("", ball, mesh(&v2, &f2), &[], &["counts"])
+        },
         case("patch", flat.clone(), mesh(&tp, &tq), &[], &["v 0 m0,t0", "sep "]),
-        Case { name: "patch-order", options: listed, ..case("", flat.clone(), mesh(&tp, &tq), &[], &["order list 8 7"]) },
-        Case { name: "patch-section", options: only_c2, ..case("", flat, mesh(&tp, &tq), &[], &["claim bijection"]) },
+        Case {
+            name: "patch-order",
+            options: listed,
+            ..case("", flat.clone(), mesh(&tp, &tq), &[], &["order list 8 7"])
+        },
+        Case {
+            name: "patch-section",
+            options: only_c2,
+            ..case("", flat, mesh(&tp, &tq), &[], &["claim bijection"])
+        },
         case("ring", extruded(&rv, &rf, DOWN, UP), mesh(&lifted(&rv, 0.25), &rf), &[], &["d mesh"]),
         pinched(),
     ]
@@ -159,7 +184,15 @@ fn certified() -> Vec<Case> {
 
 /// A fan around a pinched vertex.
 fn pinched() -> Case {
-    let v = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 4.0, 0.0], [-2.0, 4.0, 0.0], [-4.0, 0.0, 0.0], [-2.0, -4.0, 0.0], [2.0, -4.0, 0.0]];
+    let v = [
+        [0.0, 0.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [2.0, 4.0, 0.0],
+        [-2.0, 4.0, 0.0],
+        [-4.0, 0.0, 0.0],
+        [-2.0, -4.0, 0.0],
+        [2.0, -4.0, 0.0],
+    ];
     let f: Vec<[u32; 3]> = (1..=6).map(|i| [0, i, i % 6 + 1]).collect();
     let mut shell = extruded(&v, &f, DOWN, UP);
     shell.bottom[0] = v[0];
@@ -240,7 +273,13 @@ fn refuted_shells() -> Vec<Case> {
         case("bad-tet", damaged, mesh(&m, &f), BAD_TET, &["tet "]),
         case("bad-tet-unused", partly, mesh(&m, &f), BAD_UNUSED, &["tet "]),
         case("flat-tet", flat_tet, mesh(&m, &f), BAD_TET, &["tet "]),
-        case("tetrahedron", radial(&tetra, &tetra_f, 0.5, 1.5), mesh(&tetra, &tetra_f), &[Claim::I2], &["contact "]),
+        case(
+            "tetrahedron",
+            radial(&tetra, &tetra_f, 0.5, 1.5),
+            mesh(&tetra, &tetra_f),
+            &[Claim::I2],
+            &["contact "],
+        ),
         case("closed-tet", closed_tet, mesh(&t, &tf), &[Claim::SectionAllOrders, Claim::I2], &["first "]),
     ]
 }
