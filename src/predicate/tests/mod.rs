@@ -1,2 +1,4 @@
+mod brute;
+mod meeting;
 mod oracle;
 mod orient;
