@@ -14,15 +14,13 @@ fn magnitude<R: Rational>(value: &R) -> f64 {
     }
     // 2^(e-1) < |value| < 2^(e+1).
     let (numerator, denominator) = value.bit_lengths();
-    let Some(e) = numerator.checked_signed_diff(denominator) else {
-        return if numerator > denominator { f64::INFINITY } else { 0.0 };
-    };
-    let e = match i32::try_from(e.clamp(-2000, 2000)) {
-        Ok(e) if e > 1026 => return f64::INFINITY,
-        Ok(e) if e < -1080 => return 0.0,
-        Ok(e) => e,
-        Err(_) => return f64::NAN,
-    };
+    let e = (i128::from(numerator) - i128::from(denominator)).clamp(-2000, 2000) as i32;
+    if e > 1026 {
+        return f64::INFINITY;
+    }
+    if e < -1080 {
+        return 0.0;
+    }
     // Either the quotient has 62 or 63 bits, or its last bit is worth 2^-1076, a quarter of the least
     // subnormal: at least two bits more than the result keeps, so that one sticky bit decides ties. It has
     // at most 63 bits in both cases.

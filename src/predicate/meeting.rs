@@ -3,7 +3,7 @@
 //! The common part of two closed convex sets is convex, so its dimension says all that a test for
 //! forbidden contacts needs: two triangles that share an edge and no more meet in a [`Meeting::Segment`].
 
-use super::position::{ends, lexicographic, point_on_segment, same_point};
+use super::position::{ZeroMask, ends, lexicographic, point_on_segment, same_point};
 use super::{
     Axis, Sign, collinear, det_sign, orient2d, orient3d, point_in_tet, point_in_triangle, projection_axis,
 };
@@ -235,7 +235,7 @@ pub fn triangle_tet(triangle: [&[f64; 3]; 3], tet: [&[f64; 3]; 4]) -> Meeting {
             return triangle_triangle(triangle, face);
         }
     }
-    let inside = triangle.into_iter().any(|x| point_in_tet(x, tet).is_some_and(|mask| mask.is_interior()));
+    let inside = triangle.into_iter().any(|x| point_in_tet(x, tet).is_some_and(ZeroMask::is_interior));
     if inside || !weakly_separated(triangle, tet) {
         dimension(triangle)
     } else {

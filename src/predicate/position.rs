@@ -53,7 +53,7 @@ pub(super) fn lexicographic(a: &[f64; 3], b: &[f64; 3]) -> Ordering {
 }
 
 /// The two ends of the hull of three COLLINEAR points.
-pub(super) fn ends<'a>(points: [&'a [f64; 3]; 3]) -> [&'a [f64; 3]; 2] {
+pub(super) fn ends(points: [&[f64; 3]; 3]) -> [&[f64; 3]; 2] {
     let [first, second, third] = points;
     [second, third].into_iter().fold([first, first], |[low, high], p| {
         [

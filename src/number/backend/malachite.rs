@@ -1,7 +1,7 @@
 //! `malachite`: pure Rust, LGPL.
 
 use malachite::Natural;
-use malachite::base::num::arithmetic::traits::{DivRem, Sign as _};
+use malachite::base::num::arithmetic::traits::{DivRem, Sign as MalachiteSign};
 use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::rational::Rational as MalachiteRational;
@@ -37,11 +37,11 @@ impl Rational for MalachiteRational {
     }
 
     fn sign(&self) -> Sign {
-        malachite::base::num::arithmetic::traits::Sign::sign(self).into()
+        MalachiteSign::sign(self).into()
     }
 
     fn numerator(&self) -> String {
-        let sign = if self.sign().is_negative() { "-" } else { "" };
+        let sign = if Rational::sign(self).is_negative() { "-" } else { "" };
         format!("{sign}{}", self.numerator_ref())
     }
 

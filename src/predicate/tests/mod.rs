@@ -2,3 +2,4 @@ mod brute;
 mod meeting;
 mod oracle;
 mod orient;
+mod table;
