@@ -113,10 +113,16 @@ impl<const N: usize, const A: usize> Integers<N, A> {
         out
     }
 
+    /// The entries `differences[row][axis]`.
     #[inline]
-    fn fixed<const D: usize>(&self, axis: usize, (i, j): (usize, usize)) -> Magnitude<D> {
-        let [from, to] = [i, j].map(|k| Fixed::<D>::shifted(self.mantissa[axis][k], self.shift[axis][k]));
-        to.minus(from).magnitude()
+    fn fixed<const D: usize, const R: usize>(&self, rows: Rows<R>) -> [[Magnitude<D>; A]; R] {
+        let mut points = [[Fixed::<D>::ZERO; N]; A];
+        for ((out, mantissa), shift) in points.iter_mut().zip(&self.mantissa).zip(&self.shift) {
+            for ((out, m), s) in out.iter_mut().zip(mantissa).zip(shift) {
+                *out = Fixed::shifted(*m, *s);
+            }
+        }
+        rows.map(|(i, j)| points.map(|axis| axis[j].minus(axis[i]).magnitude()))
     }
 
     fn big(&self, axis: usize, (i, j): (usize, usize)) -> IBig {
@@ -143,7 +149,7 @@ impl<const N: usize> Integers<N, 3> {
     /// three of these below `2^(192D-3)`: all fit.
     #[inline]
     fn sign_fixed<const D: usize, const M: usize, const P: usize>(&self, rows: Rows<3>) -> Sign {
-        let [p, q, r] = rows.map(|row| [0, 1, 2].map(|axis| self.fixed::<D>(axis, row)));
+        let [p, q, r] = self.fixed::<D, 3>(rows);
         let term = |i: usize, j: usize, k: usize| -> Fixed<P> {
             let minor: Fixed<M> = q[j].times::<D, M>(&r[k]).minus(q[k].times(&r[j]));
             minor.magnitude().times(&p[i])
@@ -175,7 +181,7 @@ impl<const N: usize> Integers<N, 2> {
     /// As for three rows: requires `bits <= 64 D - 3`, so that a minor is below `2^(128D-3)`.
     #[inline]
     fn sign_fixed<const D: usize, const M: usize>(&self, rows: Rows<2>) -> Sign {
-        let [p, q] = rows.map(|row| [0, 1].map(|axis| self.fixed::<D>(axis, row)));
+        let [p, q] = self.fixed::<D, 2>(rows);
         p[0].times::<D, M>(&q[1]).minus(p[1].times(&q[0])).sign()
     }
 

@@ -262,22 +262,25 @@ fn dimension([a, b, c]: [&[f64; 3]; 3]) -> Meeting {
 /// parallel to a face of the tet, to the triangle, or to an edge of each.
 fn weakly_separated(triangle: [&[f64; 3]; 3], tet: [&[f64; 3]; 4]) -> bool {
     let [u, v, w] = triangle;
-    if splits(tet.map(|x| orient3d(u, v, w, x)), [Sign::Zero; 3]) {
+    if splits(tet.map(|x| orient3d(u, v, w, x)), [Sign::Zero]) {
         return true;
     }
-    let tet_edges = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)].map(|(i, j)| [tet[i], tet[j]]);
-    let edges = [[u, v], [v, w], [w, u]];
-    tet_edges.into_iter().any(|along| {
-        edges.into_iter().any(|edge| {
-            let side = |x| det_sign(along, edge, [along[0], x]);
-            splits(tet.map(side), triangle.map(side))
+    // The plane through a tet edge (i, j), parallel to a triangle edge (k, l): i and j are on it, and k and l
+    // are on the same side of it.
+    let tet_edges = [(0, 1, 2, 3), (0, 2, 1, 3), (0, 3, 1, 2), (1, 2, 0, 3), (1, 3, 0, 2), (2, 3, 0, 1)];
+    tet_edges.into_iter().any(|(i, j, m, n)| {
+        [(0, 1, 2), (1, 2, 0), (2, 0, 1)].into_iter().any(|(k, l, o)| {
+            let side = |x| det_sign([tet[i], tet[j]], [triangle[k], triangle[l]], [tet[i], x]);
+            let (first, second) = (side(tet[m]), side(tet[n]));
+            // Opposite, or both zero because there is no plane: nothing is split.
+            first != -second && splits([first, second], [side(triangle[k]), side(triangle[o])])
         })
     })
 }
 
 /// Is the tet on one side of the plane, not all in it, and the triangle on the other or on it? A plane that
 /// is none (a zero normal, all signs zero) splits nothing.
-fn splits(tet: [Sign; 4], triangle: [Sign; 3]) -> bool {
+fn splits<const N: usize, const M: usize>(tet: [Sign; N], triangle: [Sign; M]) -> bool {
     [Sign::Positive, Sign::Negative]
         .into_iter()
         .any(|side| tet.contains(&side) && !tet.contains(&-side) && !triangle.contains(&side))

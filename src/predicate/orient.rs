@@ -137,6 +137,12 @@ pub fn det_sign_exact(u: [&[f64; 3]; 2], v: [&[f64; 3]; 2], w: [&[f64; 3]; 2]) -
 #[cold]
 #[inline(never)]
 fn unfiltered3<const N: usize>(points: [&[f64; 3]; N], rows: Rows<3>) -> (Sign, Stage) {
+    // Repeated points and planes along the axes are common: a zero row or column needs no arithmetic.
+    let zeros =
+        rows.map(|(i, j)| [0, 1, 2].map(|k| Sign::of_difference(points[i][k], points[j][k]).is_zero()));
+    if zeros.contains(&[true; 3]) || (0..3).any(|k| zeros.iter().all(|row| row[k])) {
+        return (Sign::Zero, Stage::Fixed);
+    }
     Integers::new(by_axis(points)).sign(rows)
 }
 

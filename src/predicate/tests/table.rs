@@ -46,7 +46,7 @@ fn stages_of_plain_cases() {
     assert_eq!(det_sign_staged([&o, &x], [&o, &y], [&o, &z]), (Sign::Positive, Stage::Filter));
     assert_eq!(det_sign_staged([&o, &x], [&o, &y], [&x, &y]), (Sign::Zero, Stage::Fixed));
     let far = [1e300, 1e-300, 0.0];
-    assert_eq!(det_sign_staged([&o, &far], [&x, &far], [&o, &y]), (Sign::Zero, Stage::Big));
+    assert_eq!(det_sign_staged([&o, &far], [&x, &far], [&o, &[0.0, 1.0, 1.0]]), (Sign::Positive, Stage::Big));
 }
 
 #[test]
