@@ -139,9 +139,11 @@ impl<const N: usize> Magnitude<N> {
 fn negate_if<const N: usize>(limbs: [u64; N], negate: bool) -> [u64; N] {
     let mask = u64::from(negate).wrapping_neg();
     let mut carry = negate;
-    limbs.map(|limb| {
-        let (sum, overflow) = (limb ^ mask).overflowing_add(u64::from(carry));
+    let mut out = limbs;
+    for limb in &mut out {
+        let (sum, overflow) = (*limb ^ mask).overflowing_add(u64::from(carry));
+        *limb = sum;
         carry = overflow;
-        sum
-    })
+    }
+    out
 }

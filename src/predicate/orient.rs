@@ -55,7 +55,13 @@ fn minus(to: &[f64; 3], from: &[f64; 3]) -> [f64; 3] {
 
 #[inline]
 fn by_axis<const N: usize>(points: [&[f64; 3]; N]) -> [[f64; N]; 3] {
-    [points.map(|p| p[0]), points.map(|p| p[1]), points.map(|p| p[2])]
+    let mut out = [[0.0; N]; 3];
+    for (i, point) in points.into_iter().enumerate() {
+        for (axis, x) in out.iter_mut().zip(point) {
+            axis[i] = *x;
+        }
+    }
+    out
 }
 
 /// The sign of `det[b-a, c-a, d-a]`, six times the signed volume of the tet `(a, b, c, d)`;
@@ -138,9 +144,18 @@ pub fn det_sign_exact(u: [&[f64; 3]; 2], v: [&[f64; 3]; 2], w: [&[f64; 3]; 2]) -
 #[inline(never)]
 fn unfiltered3<const N: usize>(points: [&[f64; 3]; N], rows: Rows<3>) -> (Sign, Stage) {
     // Repeated points and planes along the axes are common: a zero row or column needs no arithmetic.
-    let zeros =
-        rows.map(|(i, j)| [0, 1, 2].map(|k| Sign::of_difference(points[i][k], points[j][k]).is_zero()));
-    if zeros.contains(&[true; 3]) || (0..3).any(|k| zeros.iter().all(|row| row[k])) {
+    let mut axis_differs = [false; 3];
+    let mut zero_row = false;
+    for (i, j) in rows {
+        let mut row_differs = false;
+        for ((axis_differs, x), y) in axis_differs.iter_mut().zip(points[i]).zip(points[j]) {
+            let differs = !Sign::of_difference(*x, *y).is_zero();
+            *axis_differs |= differs;
+            row_differs |= differs;
+        }
+        zero_row |= !row_differs;
+    }
+    if zero_row || axis_differs != [true; 3] {
         return (Sign::Zero, Stage::Fixed);
     }
     Integers::new(by_axis(points)).sign(rows)
