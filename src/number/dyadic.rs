@@ -1,6 +1,11 @@
 //! Every finite `f64` is `mantissa * 2^exponent`: decomposition, common scaling, printing.
 
+use std::fmt;
+
+use dashu_base::PowerOfTwo;
 use dashu_int::IBig;
+
+use super::Rat;
 
 /// `(mantissa, exponent)` with `x = mantissa * 2^exponent`, the mantissa odd, or `(0, 0)` for zero.
 ///
@@ -43,4 +48,65 @@ pub fn scale_points(points: &[[f64; 3]]) -> (Vec<[IBig; 3]>, i32) {
 fn scaled((mantissa, exponent): (i64, i32), scale: i32) -> IBig {
     let shift = if mantissa == 0 { 0 } else { exponent.abs_diff(scale) };
     IBig::from(mantissa) << shift as usize
+}
+
+/// An exact dyadic number: `mantissa * 2^exponent` with an odd mantissa, or `0 * 2^0`.
+///
+/// Printed as `-13*2^-150`, always with its exponent, and zero as `0`: every value has one text.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Dyadic {
+    mantissa: IBig,
+    exponent: i64,
+}
+
+impl Dyadic {
+    /// `mantissa * 2^exponent`, brought to the normal form. The exponent saturates (it would take a
+    /// mantissa of `2^63` zero bits or an exponent near `i64::MAX`).
+    pub fn new(mantissa: IBig, exponent: i64) -> Self {
+        match mantissa.trailing_zeros() {
+            None => Self { mantissa, exponent: 0 },
+            Some(zeros) => Self {
+                mantissa: mantissa >> zeros,
+                exponent: exponent.saturating_add(i64::try_from(zeros).unwrap_or(i64::MAX)),
+            },
+        }
+    }
+
+    /// The exact value of a float; `None` for NaN and infinities.
+    pub fn from_f64(value: f64) -> Option<Self> {
+        if !value.is_finite() {
+            return None;
+        }
+        let (mantissa, exponent) = decompose(value);
+        Some(Self { mantissa: mantissa.into(), exponent: exponent.into() })
+    }
+
+    /// The same value, if the denominator is a power of two.
+    pub fn from_rational(value: &Rat) -> Option<Self> {
+        let denominator = value.denominator();
+        let exponent = denominator.trailing_zeros()?;
+        if !denominator.is_power_of_two() {
+            return None;
+        }
+        Some(Self::new(value.numerator().clone(), -i64::try_from(exponent).ok()?))
+    }
+
+    /// The odd mantissa, or zero.
+    pub fn mantissa(&self) -> &IBig {
+        &self.mantissa
+    }
+
+    /// The exponent; 0 for zero.
+    pub fn exponent(&self) -> i64 {
+        self.exponent
+    }
+}
+
+impl fmt::Display for Dyadic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.mantissa == IBig::ZERO {
+            return f.write_str("0");
+        }
+        write!(f, "{}*2^{}", self.mantissa, self.exponent)
+    }
 }

@@ -26,6 +26,18 @@ impl<const N: usize> Fixed<N> {
     /// `mantissa * 2^shift`, provided that it fits; bits beyond the top limb are lost.
     #[inline]
     pub fn shifted(mantissa: i64, shift: u32) -> Self {
+        // Known at compile time; native shifts are much faster.
+        if N == 1 {
+            return Self([(mantissa << (shift % 64)).cast_unsigned(); N]);
+        }
+        if N == 2 {
+            let wide = (i128::from(mantissa) << (shift % 128)).cast_unsigned();
+            let mut limbs = [wide as u64; N];
+            if let Some(high) = limbs.get_mut(1) {
+                *high = (wide >> 64) as u64;
+            }
+            return Self(limbs);
+        }
         let wide = u128::from(mantissa.unsigned_abs()) << (shift % 64);
         let (low, high) = (wide as u64, (wide >> 64) as u64);
         let first = (shift / 64) as usize;
@@ -127,9 +139,11 @@ impl<const N: usize> Magnitude<N> {
 fn negate_if<const N: usize>(limbs: [u64; N], negate: bool) -> [u64; N] {
     let mask = u64::from(negate).wrapping_neg();
     let mut carry = negate;
-    limbs.map(|limb| {
-        let (sum, overflow) = (limb ^ mask).overflowing_add(u64::from(carry));
+    let mut out = limbs;
+    for limb in &mut out {
+        let (sum, overflow) = (*limb ^ mask).overflowing_add(u64::from(carry));
+        *limb = sum;
         carry = overflow;
-        sum
-    })
+    }
+    out
 }

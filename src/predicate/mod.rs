@@ -5,15 +5,20 @@
 //! a proved bound, integers of fixed width, big integers.
 
 mod determinant;
+mod meeting;
 mod orient;
+mod position;
 mod sign;
 mod stage;
 #[cfg(test)]
 mod tests;
 
+pub use meeting::{Meeting, segment_segment, segment_triangle, triangle_tet, triangle_triangle};
 pub use orient::{
-    Axis, collinear, dot_sign, dot_sign_exact, dot_sign_staged, normal_signs, orient2d, orient2d_exact,
-    orient2d_staged, orient3d, orient3d_exact, orient3d_staged, projection_axis, side_of_plane, zero_area,
+    Axis, collinear, det_sign, det_sign_exact, det_sign_staged, dot_sign, dot_sign_exact, dot_sign_staged,
+    normal_signs, orient2d, orient2d_exact, orient2d_staged, orient3d, orient3d_exact, orient3d_staged,
+    projection_axis, side_of_plane, zero_area,
 };
+pub use position::{ZeroMask, point_in_tet, point_in_triangle, point_on_segment, same_point};
 pub use sign::Sign;
 pub use stage::{Stage, StageCounts};

@@ -7,6 +7,8 @@ use super::{Sign, Stage};
 const TET: Rows<3> = [(0, 1), (0, 2), (0, 3)];
 /// Rows of [`dot_sign`] over the points `a, b, c, s, t`.
 const DOT: Rows<3> = [(0, 1), (0, 2), (3, 4)];
+/// Rows of [`det_sign`] over the ends of three vectors.
+const VECTORS: Rows<3> = [(0, 1), (2, 3), (4, 5)];
 /// Rows of [`orient2d`] over the points `a, b, c`.
 const TRIANGLE: Rows<2> = [(0, 1), (0, 2)];
 
@@ -53,7 +55,13 @@ fn minus(to: &[f64; 3], from: &[f64; 3]) -> [f64; 3] {
 
 #[inline]
 fn by_axis<const N: usize>(points: [&[f64; 3]; N]) -> [[f64; N]; 3] {
-    [points.map(|p| p[0]), points.map(|p| p[1]), points.map(|p| p[2])]
+    let mut out = [[0.0; N]; 3];
+    for (i, point) in points.into_iter().enumerate() {
+        for (axis, x) in out.iter_mut().zip(point) {
+            axis[i] = *x;
+        }
+    }
+    out
 }
 
 /// The sign of `det[b-a, c-a, d-a]`, six times the signed volume of the tet `(a, b, c, d)`;
@@ -109,9 +117,47 @@ pub fn dot_sign_exact(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], s: &[f64; 3], t:
     Integers::new(by_axis([a, b, c, s, t])).sign_big(DOT)
 }
 
+/// The sign of `det[u1-u0, v1-v0, w1-w0]`, that is of `cross(u1-u0, v1-v0) . (w1-w0)`: the general form of
+/// [`orient3d`] and [`dot_sign`], for three vectors given by their ends.
+///
+/// Exact for all finite coordinates. For NaN or infinite ones the answer is unspecified, without panic.
+#[inline]
+pub fn det_sign(u: [&[f64; 3]; 2], v: [&[f64; 3]; 2], w: [&[f64; 3]; 2]) -> Sign {
+    det_sign_staged(u, v, w).0
+}
+
+/// [`det_sign`] with the stage that decided.
+#[inline]
+pub fn det_sign_staged(u: [&[f64; 3]; 2], v: [&[f64; 3]; 2], w: [&[f64; 3]; 2]) -> (Sign, Stage) {
+    match filter3(minus(u[1], u[0]), minus(v[1], v[0]), minus(w[1], w[0])) {
+        Some(sign) => (sign, Stage::Filter),
+        None => unfiltered3([u[0], u[1], v[0], v[1], w[0], w[1]], VECTORS),
+    }
+}
+
+/// [`det_sign`] by big integers alone.
+pub fn det_sign_exact(u: [&[f64; 3]; 2], v: [&[f64; 3]; 2], w: [&[f64; 3]; 2]) -> Sign {
+    Integers::new(by_axis([u[0], u[1], v[0], v[1], w[0], w[1]])).sign_big(VECTORS)
+}
+
 #[cold]
 #[inline(never)]
 fn unfiltered3<const N: usize>(points: [&[f64; 3]; N], rows: Rows<3>) -> (Sign, Stage) {
+    // Repeated points and planes along the axes are common: a zero row or column needs no arithmetic.
+    let mut axis_differs = [false; 3];
+    let mut zero_row = false;
+    for (i, j) in rows {
+        let mut row_differs = false;
+        for ((axis_differs, x), y) in axis_differs.iter_mut().zip(points[i]).zip(points[j]) {
+            let differs = !Sign::of_difference(*x, *y).is_zero();
+            *axis_differs |= differs;
+            row_differs |= differs;
+        }
+        zero_row |= !row_differs;
+    }
+    if zero_row || axis_differs != [true; 3] {
+        return (Sign::Zero, Stage::Fixed);
+    }
     Integers::new(by_axis(points)).sign(rows)
 }
 

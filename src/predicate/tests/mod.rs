@@ -1,2 +1,5 @@
+mod brute;
+mod meeting;
 mod oracle;
 mod orient;
+mod table;

@@ -1,0 +1,3 @@
+mod dyadic;
+mod fixed;
+mod rational;
