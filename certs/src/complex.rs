@@ -140,10 +140,10 @@ impl Complex {
     }
 
     /// Vertices in use minus edges plus triangles.
-    pub(crate) fn euler(&self, n: usize) -> i64 {
+    pub(crate) fn euler(&self, n: usize) -> i128 {
         let vertices = self.used(n).iter().filter(|&&u| u).count();
         let edges = self.edges.keys().filter(|&&(a, b)| a < b || !self.edges.contains_key(&(b, a))).count();
-        vertices as i64 - edges as i64 + self.triangles.len() as i64
+        vertices as i128 - edges as i128 + self.triangles.len() as i128
     }
 }
 

@@ -179,7 +179,7 @@ fn claims<N: Num>(cert: &Cert, world: &World<N>) -> Res {
                     }
                 }
                 Some(Block::Overlay(facts)) => {
-                    overlay = Some(overlay::Overlay::check(world, &selected(&[]), facts)?)
+                    overlay = Some(overlay::Overlay::check(world, &selected(&[]), facts)?);
                 }
                 Some(Block::NoLift(first, witness)) => lift::check(world, &selected(first), witness)?,
                 Some(Block::Separated(seps)) if name == "i2" => separate::no_contact(world, seps)?,

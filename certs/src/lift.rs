@@ -29,7 +29,7 @@ struct Station<'a> {
 pub(crate) fn check<N: Num>(world: &World<N>, selected: &Selected, witness: &Witness) -> Res {
     match witness {
         Witness::Topology(line, euler, stated) => {
-            let of = |c: &crate::complex::Complex, n| if *euler { c.euler(n) } else { c.parts as i64 };
+            let of = |c: &crate::complex::Complex, n| if *euler { c.euler(n) } else { c.parts as i128 };
             let found = [of(&world.mesh, world.points_in_mesh()), of(&world.shell, world.pinched.len())];
             ensure(found == *stated, "wrong-value", || format!("line {line}: the values are {found:?}"))?;
             ensure(found[0] != found[1], "not-refuted", || format!("line {line}: the values are equal"))
@@ -190,8 +190,7 @@ impl<N: Num> Lift<'_, N> {
             ("fold", _) => {
                 let [a, b, c] = world.corners(end.at.triangle);
                 let flat = || {
-                    end.carrier.len() == 3
-                        && end.carrier.iter().all(|&n| world.orient(a, b, c, n).sgn() == 0)
+                    end.carrier.len() == 3 && end.carrier.iter().all(|&n| world.orient(a, b, c, n).sgn() == 0)
                 };
                 let dot = world.dot(end.at.triangle, &self.selected.tets[end.tet].0);
                 on_mesh.len() == 3 && dot.sgn() <= 0 && (end.carrier.len() == 4 || flat())

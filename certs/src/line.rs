@@ -34,7 +34,7 @@ pub(crate) struct Value {
 impl Value {
     pub(crate) fn new(number: &BigInt, exp: i64) -> Self {
         let zeros = number.trailing_zeros().unwrap_or(0);
-        let exp = if number.is_zero() { 0 } else { exp + zeros as i64 };
+        let exp = if number.is_zero() { 0 } else { exp + zeros.cast_signed() };
         Self { odd: number >> zeros, exp }
     }
 }
@@ -192,7 +192,7 @@ impl<'a> Line<'a> {
     }
 
     /// An `ID` (`INT` if `negative` is allowed) of the `topology` line.
-    pub(crate) fn signed(&mut self, negative: bool) -> Res<i64> {
+    pub(crate) fn signed(&mut self, negative: bool) -> Res<i128> {
         let token = self.next()?;
         let digits = if negative { token.strip_prefix('-').unwrap_or(token) } else { token };
         self.require(is_number(digits) && digits.len() <= 10 && (digits != "0" || token == "0"))?;

@@ -105,7 +105,7 @@ impl<const N: usize> Num for Fixed<N> {
 
 /// A finite double as `mantissa * 2^exponent` with an odd mantissa, or `(0, 0)`.
 pub(crate) fn decode(bits: u64) -> (i64, i64) {
-    let (raw, fraction) = ((bits >> 52 & 0x7ff) as i64, (bits & ((1 << 52) - 1)) as i64);
+    let (raw, fraction) = ((bits >> 52 & 0x7ff).cast_signed(), (bits & ((1 << 52) - 1)).cast_signed());
     let (mantissa, exponent) = if raw == 0 { (fraction, -1074) } else { (fraction | 1 << 52, raw - 1075) };
     if mantissa == 0 {
         return (0, 0);
@@ -117,7 +117,7 @@ pub(crate) fn decode(bits: u64) -> (i64, i64) {
 
 /// An integer that orders finite doubles as their values do, equal exactly for equal values (`-0` and `0` too).
 pub(crate) fn key(bits: u64) -> i64 {
-    let magnitude = (bits & (u64::MAX >> 1)) as i64;
+    let magnitude = (bits & (u64::MAX >> 1)).cast_signed();
     if bits >> 63 == 1 { -magnitude } else { magnitude }
 }
 

@@ -94,13 +94,14 @@ impl<'a> Overlay<'a> {
     /// A corner's coordinates in triangle `f`, in its corner order.
     fn mesh_row<N: Num>(&self, world: &World<N>, f: usize, x: usize) -> Row {
         let corner = &self.corners[x];
-        row(world.mesh.triangles[f], corner.ids.iter().copied().zip(&corner.on_mesh))
+        row(world.mesh.triangles[f], corner.ids, &corner.on_mesh)
     }
 
     /// A corner's projected coordinates in a prism.
     fn shell_row<N: Num>(&self, world: &World<N>, prism: usize, x: usize) -> Row {
         let corner = &self.corners[x];
-        row(world.shell.triangles[prism], corner.names.iter().map(|n| n / 3).zip(&corner.on_shell))
+        let ids: Vec<usize> = corner.names.iter().map(|n| n / 3).collect();
+        row(world.shell.triangles[prism], &ids, &corner.on_shell)
     }
 
     /// The fan triangles of a cell as coordinates in its mesh triangle.
@@ -201,10 +202,10 @@ fn fans(corners: &[usize]) -> impl Iterator<Item = [usize; 3]> + '_ {
 }
 
 /// Coordinates summed by the corner that they are on.
-fn row(corners: [usize; 3], coordinates: impl Iterator<Item = (usize, &BigInt)>) -> Row {
+fn row(corners: [usize; 3], ids: &[usize], coordinates: &[BigInt]) -> Row {
     let mut row = Row::default();
-    for (id, value) in coordinates {
-        corners.iter().zip(&mut row).filter(|(c, _)| **c == id).for_each(|(_, sum)| *sum += value);
+    for (id, value) in ids.iter().zip(coordinates) {
+        corners.iter().zip(&mut row).filter(|(c, _)| *c == id).for_each(|(_, sum)| *sum += value);
     }
     row
 }

@@ -79,7 +79,7 @@ pub(crate) struct Crossing {
 }
 
 pub(crate) enum Witness {
-    Topology(usize, bool, [i64; 2]),
+    Topology(usize, bool, [i128; 2]),
     Tet(TetFact),
     Roots(Vec<Root>),
 }
@@ -395,7 +395,8 @@ fn plan(claim: impl Fn(&str) -> Option<bool>) -> Res<Vec<(&'static str, bool, &'
     }
     let yes = |names: &[&str]| names.iter().all(|n| claim(n) == Some(true));
     let mut plan = Vec::new();
-    let mut add = |name, present: bool, verdict, owner| plan.extend(present.then_some((name, verdict, owner)));
+    let mut add =
+        |name, present: bool, verdict, owner| plan.extend(present.then_some((name, verdict, owner)));
     add("positivity", claim("positivity") == Some(false), false, "positivity");
     add("overlay", section == Some(true), true, "section");
     add("no-section", section == Some(false), false, "section");

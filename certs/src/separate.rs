@@ -9,6 +9,8 @@ use crate::world::World;
 use crate::{Res, ensure, invalid, show};
 use num_bigint::BigInt;
 use num_traits::Zero;
+use std::iter::Peekable;
+use std::slice::Iter;
 
 /// Points `x` with `normal . (x - base) = 0`.
 struct Level<N> {
@@ -24,7 +26,7 @@ fn levels<N: Num>(world: &World<N>, i: usize, planes: &[Plane]) -> Vec<Level<N>>
             Plane::Line(a, b) | Plane::Normal(a, b) => (a, b, None),
         };
         let (a, b) = (world.point(a), world.point(b));
-        let along = world.from_to(a, b);
+        let along = world.offset(a, b);
         let normal = match (plane, third) {
             (_, Some(c)) => world.normal_of([a, b, world.point(c)]),
             (Plane::Line(..), None) => cross(&along, world.normal(i)),
@@ -50,7 +52,7 @@ fn separate<N: Num>(
 ) -> bool {
     let (mut a, mut b) = (a.to_vec(), b.to_vec());
     for plane in planes {
-        let side = |x: &usize| dot(&plane.normal, &world.from_to(plane.base, *x)).sgn();
+        let side = |x: &usize| dot(&plane.normal, &world.offset(plane.base, *x)).sgn();
         let (of_a, of_b): (Vec<i32>, Vec<i32>) = (a.iter().map(side).collect(), b.iter().map(side).collect());
         let apart = |s: i32| of_a.iter().all(|x| x * s >= 0) && of_b.iter().all(|x| x * s <= 0);
         if !apart(1) && !apart(-1) {
@@ -110,7 +112,7 @@ pub(crate) fn disjoint<N: Num>(world: &World<N>, layer: Option<usize>, seps: &[S
 }
 
 /// The found partners of `i` and those of the next separations, ascending, each once.
-fn merge(mut found: Vec<usize>, i: usize, seps: impl Iterator<Item = &Separation>) -> Vec<usize> {
+fn merge(mut found: Vec<usize>, i: usize, seps: Peekable<Iter<'_, Separation>>) -> Vec<usize> {
     found.extend(seps.take_while(|s| s.pair.0 == i).map(|s| s.pair.1));
     crate::complex::distinct(&found)
 }

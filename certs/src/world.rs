@@ -74,13 +74,13 @@ impl<N: Num> World<N> {
     }
 
     /// `y - x` of two point numbers.
-    pub(crate) fn from_to(&self, x: usize, y: usize) -> Vec3<N> {
+    pub(crate) fn offset(&self, x: usize, y: usize) -> Vec3<N> {
         sub(&self.points[y], &self.points[x])
     }
 
     /// `(b - a) x (c - a)`.
     pub(crate) fn normal_of(&self, [a, b, c]: [usize; 3]) -> Vec3<N> {
-        cross(&self.from_to(a, b), &self.from_to(a, c))
+        cross(&self.offset(a, b), &self.offset(a, c))
     }
 
     /// The normal of mesh triangle `f`.
@@ -95,7 +95,7 @@ impl<N: Num> World<N> {
 
     /// `det[b - a, c - a, d - a]`.
     pub(crate) fn orient(&self, a: usize, b: usize, c: usize, d: usize) -> N {
-        det(&self.from_to(a, b), &self.from_to(a, c), &self.from_to(a, d))
+        det(&self.offset(a, b), &self.offset(a, c), &self.offset(a, d))
     }
 
     /// The four determinants `orient` of the points with one of them replaced by `x`: `x`'s barycentric coordinates
@@ -106,12 +106,12 @@ impl<N: Num> World<N> {
 
     /// The dot of triangle `f` with a tet.
     pub(crate) fn dot(&self, f: usize, tet: &Tet) -> N {
-        dot(self.normal(f), &self.from_to(tet.pillar.0, tet.pillar.1))
+        dot(self.normal(f), &self.offset(tet.pillar.0, tet.pillar.1))
     }
 
     /// Whether `f` has a positive dot with both halves of all unpinched pillars of the prism.
     pub(crate) fn rises(&self, f: usize, prism: usize) -> bool {
-        let up = |lo: usize| dot(self.normal(f), &self.from_to(lo, lo + 1)).sgn() > 0;
+        let up = |lo: usize| dot(self.normal(f), &self.offset(lo, lo + 1)).sgn() > 0;
         self.shell.triangles[prism].iter().all(|&v| self.pinched[v] || (up(3 * v) && up(3 * v + 1)))
     }
 
@@ -137,7 +137,7 @@ impl<N: Num> World<N> {
     /// the differences to the first point.
     pub(crate) fn dependence(&self, points: &[usize]) -> Option<Vec<N>> {
         let (&origin, others) = points.split_first()?;
-        let d: Vec<Vec3<N>> = others.iter().map(|&p| self.from_to(origin, p)).collect();
+        let d: Vec<Vec3<N>> = others.iter().map(|&p| self.offset(origin, p)).collect();
         let zero = || N::scaled(0, 0);
         let tail = match d.as_slice() {
             [a] => a.iter().all(|x| x.sgn() == 0).then(|| vec![N::scaled(1, 0)])?,
