@@ -143,7 +143,7 @@ class Certificate:
             self.mesh = self.take("mesh", "HII")
             self.bound.update(G=self.mesh[1], T=self.mesh[2])
         listed = self.data.startswith(b"order list ", self.at)
-        permutation = lambda f: len(f) - 1 == vertices and distinct(f[1:]) and ascending(f[1:]) is False
+        permutation = lambda f: len(f) - 1 == vertices and distinct(f[1:]) and f[1:] != list(range(vertices))
         self.order = self.take("order", ["=list"], "V", permutation)[1:] if listed else self.take("order", ["=id"])
         self.pinched = self.take("pinched", "I", "V", lambda f: ascending(f[1:]))
 
