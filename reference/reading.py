@@ -59,8 +59,8 @@ class Certificate:
         need(counts == self.counts, "counts", f"the blocks have {self.counts} lines", "malformed")
         self.take("end", [])
         self.ok(self.at == len(data))
-
     # lines and tokens
+
     def word(self):
         """The first word of the next line (empty after the last line)."""
         return re.compile(b"[^ \n]*").match(self.data, self.at)[0].decode("ascii")
@@ -129,8 +129,8 @@ class Certificate:
         while len(items) < least or self.word() == word:
             items.append(one())
         return items
-
     # the head
+
     def read_head(self):
         pairs = self.many("claim", self.read_claim)
         self.ok(ascending([CLAIMS.index(name) for name, _ in pairs]))
@@ -162,8 +162,8 @@ class Certificate:
                 good = good and all(x in c for x in needs)
                 good = good and (c[name] == "refuted" or all(c[x] == "certified" for x in needs))
         self.ok(good, "claims")
-
     # the blocks
+
     def present(self, name):
         c, refuted = self.claims, lambda *names: any(self.claims.get(x) == "refuted" for x in names)
         if name == "overlay":
