@@ -50,7 +50,7 @@ fn all_widths_agree() {
         case.layers[0][2][2] = tiny;
         case.reject("not-positive");
         let value = if shift == 0 { "-1".to_owned() } else { format!("-1*2^-{shift}") };
-        let fact = format!("tet 0 b2,m0,m1,m2 {value}");
+        let fact = format!("tet 0 m0,m1,b2,m2 {value}");
         case.clone().only(&[("positivity", false)], &[("positivity", &fact)]).accept();
     }
 }
