@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Second, independent checker of homeo certificates: python3 check.py CERT INPUT...
 
-It follows certs/FORMAT.md (version 1), section by section, and uses nothing but the standard library: this file
+It follows certs/FORMAT.md (version 1), section by section, and uses only the standard library: this file
 holds the rules (section 3), reading.py the files (sections 2, 5, 6), shapes.py the words (section 1).
 Every decision is made on Python integers: all coordinates are scaled by one common power of two.
 A shell name is the integer 3 * vertex + layer (b 0, m 1, t 2): names are ordered as these integers are.
@@ -28,7 +28,8 @@ def bind(cert, layers, prisms, mesh):
     """Section 3, binding: the inputs are those that the certificate names, and fit to be judged."""
     points, triangles = mesh
     need(cert.shell == [sha(layers, prisms), len(layers[0]), len(prisms)], "hash", "shell")
-    need(not cert.mesh or cert.mesh == [sha([points], triangles), len(points), len(triangles)], "hash", "mesh")
+    if cert.mesh:
+        need(cert.mesh == [sha([points], triangles), len(points), len(triangles)], "hash", "mesh")
     case = Case(layers, prisms, points, triangles if cert.mesh else [])
     pins = [sum(v in case.pin for v in f) for f in prisms]
     need(case.M.manifold() and max(pins) < 3, "shell-conditions")
@@ -53,7 +54,7 @@ def check_positivity(case, facts):
 
 # ------------------------------------------------- section 3.2: the overlay
 def one_point(columns):
-    """The solution of a homogeneous system when its space is a line, else None (fraction-free elimination)."""
+    """The solution of a homogeneous system when its space is a line, else None (Bareiss's elimination)."""
     rows, pivots, last, n = [list(r) for r in zip(*columns)], [], 1, len(columns)
     for c in range(n):
         k = len(pivots)
@@ -82,8 +83,8 @@ def holders(case, S, names):
 
 def overlay_vertex(case, S, ids, names, at):
     T = case.T
-    simplex = [len(ids) == 1 and ids[0] in T.at, ids in T.edge or ids[::-1] in T.edge, ids in T.find][len(ids) - 1]
-    need(simplex, "mesh-carrier", at)
+    edge = ids in T.edge or ids[::-1] in T.edge
+    need([ids[0] in T.at, edge, ids in T.find][len(ids) - 1], "mesh-carrier", at)
     need(holders(case, S, names), "shell-carrier", at)
     need(not case.cap(names), "cap", at)
     columns = [case.G[i] + (1,) for i in ids] + [tuple(-x for x in case.P[n]) + (-1,) for n in names]
@@ -102,7 +103,7 @@ def rows(weights, corners):
     return [[w.get(x, 0) for x in corners] for w in weights]
 
 class Overlay:
-    """The verified complex K: `cells` as (f, prism, rows in f, rows in the prism), `rim` its boundary edges."""
+    """The complex K: `cells` as (f, prism, rows in f, rows in the prism), `rim` its boundary edges."""
 
     def __init__(self, case, S, facts):
         vertices, cells, named = facts
@@ -118,8 +119,8 @@ class Overlay:
                     edges.add(e)
         self.rim = [(a, b) for a, b in edges if (b, a) not in edges]
         for a, b in self.rim:
-            good = K[a][0].keys() | K[b][0].keys() in case.T.rim and K[a][1].keys() | K[b][1].keys() in case.M.rim
-            need(good, "boundary", f"{a} {b}")
+            on_mesh, on_middle = (K[a][k].keys() | K[b][k].keys() for k in (0, 1))
+            need(on_mesh in case.T.rim and on_middle in case.M.rim, "boundary", f"{a} {b}")
         need(len(set(itertools.chain(*cells))) == len(K), "isolated")
         for side, over in enumerate((case.T, case.M)):
             found = [over.component[self.cells[cell][side]] for cell, _ in named[side]]
@@ -131,8 +132,8 @@ class Overlay:
         weights = [self.points[i] for i in cell]
         f = case.T.find.get(tuple(sorted(set().union(*(w[0] for w in weights)))))
         need(f is not None, "cell-mesh", at)
-        j, names = case.M.find.get(tuple(sorted(set().union(*(w[1] for w in weights))))), set().union(
-            *(w[2] for w in weights))
+        j = case.M.find.get(tuple(sorted(set().union(*(w[1] for w in weights)))))
+        names = set().union(*(w[2] for w in weights))
         need(j is not None and any(names <= set(t) for t in S[j]), "cell-shell", at)
         in_f = rows((w[0] for w in weights), case.T.faces[f])
         in_j = rows((w[1] for w in weights), case.M.faces[j])
@@ -220,7 +221,7 @@ class Witness:
         return self.case.volume(self.S[prism][names]) > 0, prism
 
     def coordinates(self, x, prism, names):
-        """{name: positive coordinate} of x = (x, y, z, w) in a tet; None outside or when it is not positive."""
+        """{name: positive coordinate} of x = (x, y, z, w) in a tet; None outside or in a bad tet."""
         order = self.S[prism][names][0]
         if not self.case.volume((order,)) > 0:
             return None
@@ -241,8 +242,10 @@ class Witness:
                 r, s = (self.case.P[n] for n in names if n not in edge)
                 wedges.append((r, s) if det(p, q, r, s) > 0 else (s, r))
                 positive &= self.case.volume(self.S[prism][names]) > 0
-            apart = lambda x, y: (all(det(p, q, x[0], z) <= 0 for z in y) or all(det(p, q, z, x[1]) <= 0 for z in y))
-            self.stars[edge] = positive and all(apart(x, y) or apart(y, x) for x, y in itertools.combinations(wedges, 2))
+            apart = lambda x, y: (all(det(p, q, x[0], z) <= 0 for z in y)
+                                  or all(det(p, q, z, x[1]) <= 0 for z in y))
+            pairs = itertools.combinations(wedges, 2)
+            self.stars[edge] = positive and all(apart(x, y) or apart(y, x) for x, y in pairs)
         return self.stars[edge]
 
     def roots(self, facts):
@@ -277,7 +280,8 @@ class Witness:
             before, after = self.coordinates(x, prism, tet), self.coordinates(x, next_prism, new)
             need(before and after and before.keys() == after.keys(), "wrong-step", self.at)
             for c in (here, after):
-                need(len(c) > 2 or len(c) == 2 and self.injective_star(tuple(sorted(c))), "wrong-step", self.at)
+                good = len(c) > 2 or len(c) == 2 and self.injective_star(tuple(sorted(c)))
+                need(good, "wrong-step", self.at)
             f, tet, prism, here = g, new, next_prism, after
         return f, on_mesh, here, prism, tet
 
@@ -339,7 +343,7 @@ def pinched_rest(case, vertices):
     return lambda rest: not rest or len(rest) == 1 and rest[0][1] in pins
 
 def check_disjoint(case, name, facts, certified):
-    layer, on_mesh = {"disjoint-bottom": 0, "disjoint-middle": 1, "disjoint-top": 2}.get(name), name == "disjoint-mesh"
+    layer, on_mesh = 2 * (name == "disjoint-top"), name == "disjoint-mesh"
     G, P, T = case.G, case.P, case.T.faces
     left = [[(v, G[v]) for v in f] for f in T]
     right = left if on_mesh else [[(v, P[3 * v + layer]) for v in f] for f in case.M.faces]
@@ -414,7 +418,7 @@ def open_contacts(case, f, prism, A):
 
 # ------------------------------------------------- all claims in order
 def check_claims(case, cert):
-    order = range(len(case.N)) if cert.order == ["id"] else cert.order
+    order = cert.order or range(len(case.N))
     claims, blocks = cert.claims, cert.blocks
     S = case.decomposition(order) if "section" in claims else None
     for name, verdict in claims.items():
@@ -450,7 +454,8 @@ def run(paths):
         return 0, "\n".join(["valid"] + [f"{name} {verdict}" for name, verdict in cert.claims.items()])
     except Stop as stop:
         kind, code, why = stop.args
-        return {"invalid": 1, "malformed": 2, "limit": 3}[kind], f"{kind} {code}" + (f" : {why}" if why else "")
+        why = " : " + why.replace("\n", " ") if why else ""
+        return {"invalid": 1, "malformed": 2, "limit": 3}[kind], f"{kind} {code}{why}"
     except Exception as error:  # a last resort: never an answer, never `valid`
         return 3, f"limit internal : {type(error).__name__}"
 

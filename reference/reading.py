@@ -1,6 +1,6 @@
-"""What the Python checker reads: certificates (FORMAT.md section 2 and the file part of 3), OFF, OBJ and HDF5 files.
+"""What the Python checker reads: certificates (FORMAT.md section 2, and the file part of 3), OFF, OBJ, HDF5.
 
-Nothing is judged here but form; check.py holds the rules. No number that a file states is trusted for an allocation.
+Only form is judged here; check.py holds the rules. No number in a file is trusted for an allocation.
 """
 import itertools
 import math
@@ -8,7 +8,8 @@ import re
 import struct
 
 LIMIT, DIGITS = 2 ** 30, 4000
-CLAIMS = "positivity section bijection section-all-orders disjoint-mesh disjoint-bottom disjoint-top i2".split()
+CLAIMS = ["positivity", "section", "bijection", "section-all-orders",
+          "disjoint-mesh", "disjoint-bottom", "disjoint-top", "i2"]
 
 class Stop(Exception):
     """The first failure: kind (`invalid`, `malformed`, `limit`), code, explanation."""
@@ -100,7 +101,8 @@ class Certificate:
         if kind == "L":
             points = text[2:].split(",")
             self.ok(text[:2] in ("p:", "l:", "n:") and len(points) == (3 if text[0] == "p" else 2))
-            return text[0], [("g", self.token("G", s[1:])) if s[:1] == "g" else ("s", self.name(s)) for s in points]
+            point = lambda s: ("g", self.token("G", s[1:])) if s[:1] == "g" else ("s", self.name(s))
+            return text[0], [point(s) for s in points]
         if kind == "X":
             match = is_value(text)
             self.ok(text == "0" or match and match[2][-1] in "13579")
@@ -144,7 +146,9 @@ class Certificate:
             self.bound.update(G=self.mesh[1], T=self.mesh[2])
         listed = self.data.startswith(b"order list ", self.at)
         permutation = lambda f: len(f) - 1 == vertices and distinct(f[1:]) and f[1:] != list(range(vertices))
-        self.order = self.take("order", ["=list"], "V", permutation)[1:] if listed else self.take("order", ["=id"])
+        self.order = self.take("order", ["=list"], "V", permutation)[1:] if listed else None
+        if not listed:
+            self.take("order", ["=id"])
         self.pinched = self.take("pinched", "I", "V", lambda f: ascending(f[1:]))
 
     def read_claim(self):
@@ -243,7 +247,8 @@ class Certificate:
         """A no-lift witness: (word, facts)."""
         if self.word() == "topology":
             euler = self.data.startswith(b"topology euler ", self.at)
-            return "topology", self.take("topology", ["=euler", "J", "J"] if euler else ["=components", "I", "I"])
+            kinds = ["=euler", "J", "J"] if euler else ["=components", "I", "I"]
+            return "topology", self.take("topology", kinds)
         if self.word() == "tet":
             return "tet", self.tet()
         return "roots", self.many("root", self.root)
@@ -396,8 +401,9 @@ class Hdf5:
         n, three = struct.unpack("<QQ", space[8:24])
         bad(space[:2] != b"\1\2" or three != 3, "not an n x 3 dataset")
         ieee = struct.pack("<HHBBBBI", 0, 64, 52, 11, 0, 52, 1023)
-        good = kind[0] & 15 == 1 and kind[8:20] == ieee if code == "d" else kind[0] & 15 == 0 and kind[8:12] == b"\0\0\x20\0"
-        bad(not good or kind[4:8] != bytes([size, 0, 0, 0]) or kind[1] & (1 if code == "i" else 65), "number type")
+        number, order, form = (1, 65, ieee) if code == "d" else (0, 1, b"\0\0\x20\0")
+        bad(kind[0] & 15 != number or kind[1] & order or kind[8:8 + len(form)] != form, "number type")
+        bad(kind[4:8] != bytes([size, 0, 0, 0]), "number size")
         where, length = struct.unpack("<QQ", layout[2:18])
         bad(layout[:2] != b"\3\1" or length != 3 * n * size, "dataset layout")
         numbers = struct.iter_unpack("<3" + code, self.part(where, length) if n else b"")

@@ -116,7 +116,8 @@ class Case:
         self.G = [self.scale(p) for p in points]
         self.pinned = [v for v, (b, m, t) in enumerate(zip(*layers)) if b == m == t]
         pinned = self.pin = set(self.pinned)
-        self.N = [(3 * v + 1,) * 3 if v in pinned else (3 * v, 3 * v + 1, 3 * v + 2) for v in range(len(layers[0]))]
+        names = lambda v: (3 * v + 1,) * 3 if v in pinned else (3 * v, 3 * v + 1, 3 * v + 2)
+        self.N = [names(v) for v in range(len(layers[0]))]
         self.M, self.T = Complex(prisms), Complex(triangles)
         self.planes = [plane(*(self.G[v] for v in f)) for f in triangles]
 

@@ -3,16 +3,21 @@
 Every rejected case is one named change of a certificate that is accepted (its control).
 """
 import hashlib
+import itertools
 import os
+import random
 import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+from fractions import Fraction
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 import check  # noqa: E402
+import reading  # noqa: E402
+import shapes  # noqa: E402
 
 M4 = [(4, 4, 4), (4, -4, -4), (-4, 4, -4), (-4, -4, 4)]
 F4 = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -331,6 +336,148 @@ class Checks(unittest.TestCase):
         self.refute("invalid not-refuted", mesh, facts.replace("1 3 1", "2 3 1"))
         self.refute("invalid not-refuted", mesh, facts.replace("twice", "monodromy"))
         self.refute("invalid wrong-step", mesh, facts.replace(f"step 1 1 3 0 {tet}\n", ""))
+
+    def test_wall_and_lands(self):
+        wall = ([(1, -1, 0.125), (3, -1, 0.125), (2, 1, 0.125)], [(0, 1, 2)])
+        facts = "root 0 1 1 2\nbranch m0,m1,t1\nstart m0,m1,t1,t2\nwall"
+        self.refute("valid", wall, facts)
+        self.refute("invalid not-refuted", wall, facts.replace("wall", "boundary"))
+        self.refute("invalid wrong-branches", wall, facts.replace("m0,m1,t1\n", "m0,m1,t2\n"))
+        pair = ([(1, 1, 0.9375), (2, 1, 0.9375), (1, 2, 0.9375), (1, 1, -0.9375), (2, 1, -0.9375), (1, 2, -0.9375)],
+                [(0, 1, 2), (3, 4, 5)])
+        up, down = "m0,t0,t1,t2", "b0,b1,b2,m2"
+        facts = "\n".join(f"root {k} 1 1 1\nbranch {t}\nstart {t}\nlands" for k, t in enumerate((up, down)))
+        self.refute("valid", pair, facts)
+        self.refute("invalid not-refuted", pair, facts.split("\nroot 1")[0])
+        self.refute("invalid wrong-branches", pair, facts.replace("root 1", "root 0").replace(down, up))
+
+    def test_covered_twice(self):
+        """Two abstract prisms in one place: each holds the whole mesh triangle."""
+        double, mesh = ([x * 2 for x in PRISM[0]], [(0, 1, 2), (3, 4, 5)]), (M3, [(0, 1, 2)])
+        claims, other = ["section", "bijection"], "v 0 m3\nv 1 m4\nv 2 m5\nc"
+        facts = IDENTITY.replace("\nc", "\n" + other, 1)
+        twice = facts.replace("c 0 1 2", "c 0 1 2\nc 3 4 5") + "\nd middle 1 0"
+        self.rejected("invalid isolated", double, mesh, claims, [("overlay", facts)])
+        self.rejected("invalid degree-component", double, mesh, claims, [("overlay", IDENTITY)])
+        self.rejected("invalid degree", double, mesh, claims, [("overlay", twice)])
+        self.rejected("invalid area-middle", PRISM, (M3, [(0, 2, 1)]), claims, [("overlay", IDENTITY.replace("1 2\nd", "2 1\nd"))])
+
+    def test_size(self):
+        limit, good = reading.LIMIT, certificate(PRISM, None, ["positivity"], [])
+        try:
+            for reading.LIMIT, code in ((len(good), "limit size"), (10 ** 6, "valid")):
+                self.assertEqual(self.answer(good + " " * (code != "valid")), code)
+        finally:
+            reading.LIMIT = limit
+
+    def test_damage_is_never_internal(self):
+        """Random damage of accepted certificates ends with a code of the format."""
+        mesh = ([(.5, .5, .25), (1.5, .5, .25), (.5, 1.5, .25), (.75, 1, .26)], [(0, 1, 2), (1, 0, 3)])
+        tet = "m0,m1,t1,t2"
+        facts = f"root 0 13 5 2\nbranch {tet}\nstart {tet}\nstart {tet}\nstep 1 1 3 0 {tet}\nstep 1 1 3 1 {tet}\ntwice"
+        crossing = ([(0, 0, 0), (4, 0, 0), (0, 4, 0), (3, 3, -1), (3, 3, 1), (10, 4, 0)], [(0, 1, 2), (3, 4, 5)])
+        same = (PRISM[0][1], PRISM[1])
+        controls = [(mesh, certificate(PRISM, mesh, ["-section", "-bijection"], [("no-section", facts)])),
+                    (crossing, certificate(PRISM, crossing, ["disjoint-mesh"], [("disjoint-mesh", "sep 0 1 l:g1,g2")])),
+                    (same, certificate(PRISM, same, ALL[:4], [("overlay", IDENTITY)]))]
+        draw = random.Random(1)
+        for mesh, good in controls:
+            self.assertEqual(self.answer(good, PRISM, mesh), "valid")
+            for _ in range(1500):
+                text = good
+                for _ in range(draw.randint(1, 2)):
+                    kind, lines = draw.randrange(4), text.split("\n")
+                    a, b = draw.randrange(len(lines)), draw.randrange(len(lines))
+                    if kind == 0:
+                        lines[a] = lines[b]
+                    elif kind == 1:
+                        lines[a], lines[b] = lines[b], lines[a]
+                    elif kind == 2:
+                        del lines[a]
+                    else:
+                        k = draw.randrange(len(lines[a]) + 1)
+                        lines[a] = lines[a][:k] + draw.choice("0123459bmtg, -*^") + lines[a][k + draw.randrange(2):]
+                    text = "\n".join(lines)
+                self.assertNotIn("internal", self.answer(text, PRISM, mesh), text)
+
+    def test_one_point_by_definition(self):
+        """Against the rank and the minors of the system, in fractions."""
+        draw, seen = random.Random(2), {None: 0, True: 0}
+        for _ in range(3000):
+            n = draw.randint(2, 7)
+            columns = [tuple(draw.randint(-2, 2) for _ in range(3)) + (draw.choice((1, -1)),) for _ in range(n)]
+            answer = check.one_point(columns)
+            line = rank(columns) == n - 1
+            self.assertEqual(answer is not None, line)
+            seen[line or None] += 1
+            if line:
+                self.assertTrue(any(answer))
+                for row in zip(*columns):
+                    self.assertEqual(sum(x * y for x, y in zip(row, answer)), 0)
+        self.assertGreater(min(seen.values()), 100)
+
+    def test_meeting_boxes_by_definition(self):
+        draw = random.Random(3)
+        boxes = []
+        for _ in range(300):
+            low = [draw.randint(0, 20) for _ in range(3)]
+            boxes.append(tuple(low) + tuple(x + draw.randint(0, 4) for x in low))
+        tree = shapes.box_tree(boxes, list(range(300)))
+        for query in boxes:
+            slow = [i for i, b in enumerate(boxes) if all(b[k] <= query[k + 3] and query[k] <= b[k + 3] for k in range(3))]
+            self.assertEqual(sorted(shapes.meeting(tree, boxes, query)), slow)
+
+    def test_tets_by_definition(self):
+        """In the straight unit prism all 24 tets are positive; each order's three fill a slab (volume 3 of 6 sixths)."""
+        unit = [[(0., 0., z), (1., 0., z), (0., 1., z)] for z in (-1., 0., 1.)]
+        case = check.Case(unit, [(0, 1, 2)], [], [])
+        self.assertEqual([case.volume(t) for t in case.tets(0).values()], [1] * 24)
+        self.assertEqual(len(case.tets(0)), 24)
+        for order in itertools.permutations(range(3)):
+            u, v, w = order
+            expected = {frozenset(x) for s in (0, 1) for lo, hi in [((s, s + 3, s + 6), (s + 1, s + 4, s + 7))]
+                        for x in ((lo[u], lo[v], lo[w], hi[w]), (lo[u], lo[v], hi[v], hi[w]), (lo[u], hi[u], hi[v], hi[w]))}
+            self.assertEqual({frozenset(x) for x in case.decomposition(order)[0]}, expected)
+
+    def test_injective_star_by_sampling(self):
+        """Wedges around a vertical edge overlap just when some direction lies inside two of them."""
+        draw, seen = random.Random(4), set()
+        for _ in range(400):
+            ring = [(draw.randint(-3, 3), draw.randint(-3, 3)) for _ in range(6)]
+            wedges = [(ring[k], ring[k + 1]) for k in (0, 2, 4) if turn(ring[k], ring[k + 1])]
+            fake = check.Witness.__new__(check.Witness)
+            points = {0: (0, 0, 0), 1: (0, 0, 1)}
+            tets = {}
+            for k, (r, s) in enumerate(wedges):
+                names = (0, 1, 100 + 2 * k, 101 + 2 * k)
+                points[names[2]], points[names[3]] = r + (5,), s + (-7,)
+                order = names if turn(r, s) > 0 else names[:2] + names[:1:-1]
+                tets[names] = (order, 0, 0)
+            fake.case = type("C", (), {"P": points, "M": type("M", (), {"at": {0: [0]}}),
+                                       "volume": lambda self, t: check.det(*(points[n] for n in t[0]))})()
+            fake.S, fake.stars = [tets], {}
+            rays = [r for w in wedges for r in w]
+            samples = [(a + c, b + d) for a, b in rays for c, d in rays] + [(3 * a + c, 3 * b + d) for a, b in rays for c, d in rays]
+            samples = [(9 * a + c, 9 * b + d) for a, b in samples for c, d in rays]
+            inside = lambda x, w: all(turn(p, q) * turn(*w) > 0 for p, q in ((w[0], x), (x, w[1])))
+            overlap = any(sum(inside(x, w) for w in wedges) > 1 for x in samples)
+            self.assertEqual(fake.injective_star((0, 1)), not overlap, wedges)
+            seen.add(overlap)
+        self.assertEqual(len(seen), 2)
+
+
+def turn(a, b):
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def rank(columns):
+    rows, found = [[Fraction(x) for x in c] for c in columns], 0
+    for k in range(4):
+        pivot = next((r for r in rows if r[k]), None)
+        if pivot:
+            found += 1
+            rows = [[x - r[k] / pivot[k] * y for x, y in zip(r, pivot)] for r in rows if r is not pivot]
+    return found
 
 
 TETRA_INPUT = ([[tuple(map(float, p)) for p in layer] for layer in TETRA[0]], TETRA[1], [tuple(map(float, p)) for p in M4], TETRA[1])
