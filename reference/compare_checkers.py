@@ -144,18 +144,42 @@ def change_input(rng, text):
     return "\n".join(rows)
 
 
+def move_vertex(rng, meshes):
+    """A vertex of one input onto a vertex of any input: points that touch, flat tets, pinched vertices."""
+    texts = [mesh.decode("latin-1").split("\n") for mesh in meshes]
+    place = lambda rows: 2 + rng.randrange(int(rows[1].split()[0]))
+    target, source = rng.choice(texts), rng.choice(texts)
+    at = place(target)
+    target[at] = source[at if rng.random() < 0.5 and at < len(source) else place(source)]
+    return ["\n".join(rows).encode("latin-1") for rows in texts]
+
+
+def scale(rng, meshes):
+    """All coordinates times one number, or moved by one: longer numbers, the same shapes."""
+    factor, shift = rng.choice([(2.0 ** 60, 0.0), (2.0 ** -300, 0.0), (0.1, 0.0), (1 / 3, 0.0), (-1.0, 0.0), (1.0, 1e6), (1.0, 1e-7)])
+    out = []
+    for mesh in meshes:
+        rows = mesh.decode("latin-1").split("\n")
+        for i in range(2, 2 + int(rows[1].split()[0])):
+            rows[i] = " ".join(repr(float(x) * factor + shift) for x in rows[i].split())
+        out.append("\n".join(rows).encode("latin-1"))
+    return out
+
+
 def mutate(rng, case, others):
     """Some changes of a case (certificate, four inputs); most often with counts and hashes made right again."""
     cert, *meshes = case
     for _ in range(rng.choice([1, 1, 1, 2, 3])):
         kind = rng.random()
         try:
-            if kind < 0.1:
+            if kind < 0.05:
                 cert = change_bytes(rng, cert)
-            elif kind < 0.75:
+            elif kind < 0.65:
                 rows = cert.decode("latin-1").split("\n")[:-1] or [""]
-                rows = change_token(rng, rows) if kind < 0.5 else change_lines(rng, rows, others)
+                rows = change_token(rng, rows) if kind < 0.4 else change_lines(rng, rows, others)
                 cert = ("\n".join(rows) + "\n").encode("latin-1")
+            elif kind < 0.8 and None not in meshes:
+                meshes = move_vertex(rng, meshes) if kind < 0.75 else scale(rng, meshes)
             else:
                 i = rng.randrange(4)
                 if meshes[i] is not None:

@@ -15,7 +15,7 @@ def add_all(corpus):
         corpus.add(control, name, answer, what, *edits, facts=True, **more)
 
     for part in (positivity, carriers, cells, hand_made_overlays, double_cover, degrees, topology, roots, steps,
-                 reasons, separation, crossings, contacts, harmless):
+                 reasons, separation, separation_from_layers, crossings, contacts, separation_from_tets, harmless):
         part(m)
 
 
@@ -305,6 +305,23 @@ def separation(m):
              "mesh": off("0 0 .25/4 0 .25/4 4 .25/0 4 .25", SQUARE)})
 
 
+def separation_from_layers(m):
+    """One prism, and a mesh triangle beside its top (bottom) that neither plane alone separates from it."""
+    prism = {part: off(f"0 0 {z}/4 0 {z}/0 4 {z}", "0 1 2") for part, z in (("bottom", -1), ("middle", 0), ("top", 1))}
+    for layer, z in (("top", 1), ("bottom", -1)):
+        files = {**prism, "mesh": off(f"3 3 {z * .5}/3.25 3.25 {z * 1.5}/3.5 3.5 {z * .5}", "0 1 2")}
+        x = layer[0]
+        for name, answer, what, facts in [
+                ("sep", "valid", "an upright plane between a triangle and the", f"sep 0 0 p:{x}1,{x}2,m1"),
+                ("no-sep", "invalid missing-separation", "no plane between a triangle and the", ""),
+                ("plane-of-edge", "invalid not-separated", "a plane on another edge of the", f"sep 0 0 p:{x}0,{x}1,m0"),
+                ("plane-of-far", "invalid not-separated", "a plane beyond both, the triangle and the", f"sep 0 0 n:{x}0,g0"),
+                ("cross-beside", "invalid wrong-point", "a crossing claimed beside the", "cross 0 0 1 1 1 0 1 1")]:
+            sign = "-" if facts.startswith("cross") else ""
+            m("boundary", f"{name}-{layer}", answer, f"{what} {layer}",
+              whole(f"{sign}disjoint-{layer}", f"begin disjoint-{layer}\n{facts}".strip()), files=files)
+
+
 def crossings(m):
     cross = "cross 0 0 2 3 2 2 3 2"
     m("cap", "cross-weights", "invalid wrong-point", "other weights", lines(cross, "cross 0 0 2 3 1 2 3 2"))
@@ -352,6 +369,37 @@ def contacts(m):
     m("boundary", "contact-of-dot-one", "invalid wrong-value", "the dot is exactly 0, called 1", whole(refuted, empty + touch + "1"), files=roof)
     m("boundary", "i2-claimed-dot-zero", "invalid missing-separation", "i2 claimed where a dot is exactly 0",
       whole(EVERYTHING, empty), files=roof)
+
+
+def separation_from_tets(m):
+    """Two prisms, one upside down beside the hypotenuse of the other: contacts that upright planes exclude."""
+    def layer(a, b):
+        return off(f"0 0 {a}/4 0 {a}/0 4 {a}/3 3 {b}/3 3.5 {b}/3.5 3 {b}", "0 1 2/3 4 5")
+
+    files = {"bottom": layer(-1, 1.25), "middle": layer(0, .25), "top": layer(1, -.75), "mesh": layer(0, .25)}
+    facts = "\n".join([f"v {i} m{i}" for i in range(6)] + ["c 0 1 2", "c 3 4 5", "d mesh 0 0", "d mesh 1 0", "d middle 0 0", "d middle 1 0"])
+    head = f"begin overlay\n{facts}\nbegin disjoint-mesh\nbegin disjoint-bottom\nbegin disjoint-top\nbegin i2\n"
+    seps = [f"contact-sep 0 1 {tet} l:g1,g2" for tet in OPEN_BELOW]
+
+    def row(name, answer, what, body):
+        m("two-components", name, answer, what, whole(EVERYTHING, head + "\n".join(body)), files=files)
+
+    row("contact-seps", "valid", "upright planes between a triangle and tets of a prism upside down", seps)
+    row("contact-sep-first-dropped", "invalid missing-separation", "the first contact-sep line is missing", seps[1:])
+    row("contact-sep-last-dropped", "invalid missing-separation", "the last contact-sep line is missing", seps[:-1])
+    row("contact-sep-plane", "invalid not-separated", "a plane on another edge of the triangle",
+        [seps[0].replace("l:g1,g2", "l:g0,g1"), *seps[1:]])
+    row("contact-sep-two-planes", "valid", "a plane with nothing left to separate", [seps[0] + " l:g0,g1", *seps[1:]])
+    row("contact-sep-wrong-first", "invalid not-separated", "a wrong plane before the right one",
+        [seps[0].replace("l:g1,g2", "l:g0,g1 l:g1,g2"), *seps[1:]])
+    row("contact-sep-other-slab", "invalid superfluous", "a tet of the slab that is not near", ["contact-sep 0 1 b3,m3,b4,b5 l:g1,g2", *seps])
+    row("contact-sep-own-prism", "invalid superfluous", "a tet of the triangle's own prism", ["contact-sep 0 0 m0,m1,m2,t2 l:g1,g2", *seps])
+    row("contact-seps-swapped", "malformed syntax", "two contact-sep lines swapped", [seps[1], seps[0], *seps[2:]])
+    row("contact-sep-twice", "malformed syntax", "a contact-sep line twice", [seps[0], *seps])
+
+
+# The tets that no plane of a face separates from the other prism's triangle (by the definition, tried out on all 24).
+OPEN_BELOW = ["m3,t3,m4,m5", "m3,t3,m4,t5", "m3,t3,t4,m5", "m3,t3,t4,t5", "m3,m4,t4,m5", "m3,m4,m5,t5", "t3,m4,t4,t5", "t3,t4,m5,t5"]
 
 
 def harmless(m):
