@@ -14,7 +14,7 @@ def add_all(corpus):
     def m(control, name, answer, what, *edits, **more):
         corpus.add(control, name, answer, what, *edits, facts=True, **more)
 
-    for part in (positivity, carriers, cells, hand_made_overlays, double_cover, degrees, topology, roots, steps,
+    for part in (positivity, carriers, cells, hand_made_overlays, double_cover, degrees, topology, roots, steps, stars,
                  reasons, separation, separation_from_layers, crossings, contacts, separation_from_tets, harmless):
         part(m)
 
@@ -250,6 +250,26 @@ def steps(m):
     m(t, "path-of-other-sheet", w, "the far mesh sheet too early", lines("step 4 3 3 2 m4,m5,m7,t7", "step 20 3 3 2 m4,m5,m7,t7"))
     m("touches-cap", "step-from-one-name", w, "a step from a point whose carrier is one name",
       after("start m0,m1,t1,t2", "step 0 0 1 0 m0,m1,t1,t2"))
+
+
+def stars(m):
+    """Steps from a point on an edge: no two tets around it may overlap, and none may be turned over."""
+    w, n = "invalid wrong-step", "invalid not-refuted"
+    root = "root 0 1 1 0\n"
+    above = "branch m0,t0,t1\nstart m0,t0,t1,t2\nlands\n"
+    edge = "branch m0,m1\nstart m0,m1,m2,t2\n"
+    into = "step 0 1 1 1 m0,m1,m2,t2\n"
+    ground = {"mesh": off("0 0 0/4 0 0/4 4 0/0 4 0", SQUARE)}
+    m("boundary", "step-from-edge", n, "a good step from an edge; nothing is refuted by landing",
+      blocks(no_section=root + edge + into + "lands"), files=ground)
+    m("bad-tet", "no-step-from-edge", n, "no step; nothing is refuted by landing", blocks(no_section=root + above + edge + "lands"))
+    m("bad-tet", "step-from-edge", w, "a step from an edge of a tet that is turned over", blocks(no_section=root + above + edge + into + "lands"))
+    m("flat-tet", "step-from-edge", w, "a step from an edge of a tet of volume exactly 0",
+      blocks(no_section=root + edge + into + "lands\nbranch m0,t1\nstart m0,t0,t1,t2\nlands"))
+    m("bad-tet", "start-turned-over", w, "a start tet that is turned over",
+      blocks(no_section=root + above + edge.replace("start m0,m1,m2,t2", "start m0,m1,t1,t2") + "lands"))
+    m("bad-tet", "step-turned-over", w, "a step into a tet that is turned over",
+      blocks(no_section="root 0 1 1 1\nbranch m0,m1,m2\nstart m0,m1,m2,t2\nstep 0 1 1 0 m0,m1,t1,t2\nlands"))
 
 
 def reasons(m):
