@@ -171,7 +171,7 @@ fn unreadable() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("secret.off");
     fs::write(&path, "OFF\n").unwrap();
-    fs::set_permissions(&path, fs::Permissions::from_mode(0)).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o0)).unwrap();
     if fs::File::open(&path).is_ok() {
         eprintln!("SKIPPED: this user may read everything, permissions cannot be tested");
     } else {

@@ -2,6 +2,7 @@
 
 use super::*;
 use proptest::prelude::*;
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 /// Formats that keep vertices.
@@ -21,7 +22,7 @@ fn coordinate() -> impl Strategy<Value = f64> {
         f64::from_bits((1 << 52) - 1),
         0.1,
         1e23,
-        9_007_199_254_740_993.0,
+        9_007_199_254_740_992.0,
         5e-324,
         1e16,
         1e-5,
@@ -44,7 +45,7 @@ fn welded(mesh: &TriMesh) -> TriMesh {
     for face in &mesh.faces {
         let corners = face.map(|v| {
             let p = mesh.vertices[v as usize];
-            let known = out.vertices.iter().position(|q| *q == p);
+            let known = out.vertices.iter().position(|q| q.partial_cmp(&p) == Some(Ordering::Equal));
             u32::try_from(known.unwrap_or_else(|| {
                 out.vertices.push(p);
                 out.vertices.len() - 1
@@ -160,6 +161,12 @@ fn files_are_replaced_whole_or_not_at_all() {
         let file = read(&path).unwrap();
         assert_eq!((file.format, bits(&file.mesh)), (format, bits(&triangle(0.25))));
     }
+    // A rename would replace a device or an empty directory.
+    let taken = directory.path().join("d.off");
+    std::fs::create_dir(&taken).unwrap();
+    let message = write(&taken, &triangle(0.5), Format::Off).unwrap_err().to_string();
+    assert!(message.ends_with("d.off: cannot write: not a regular file"), "{message}");
+    std::fs::remove_dir(&taken).unwrap();
     // No temporary file stays, and a missing directory is an error with the file's name.
     assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 4);
     let lost = directory.path().join("none").join("m.off");
