@@ -231,6 +231,20 @@ proptest! {
         prop_assert_eq!(is_zero_area([&points[0], &points[1], &points[2]]), zero_by_definition(&points));
     }
 
+    /// Multiples of a full-width point by powers of two: on one line, while the float differences
+    /// round in each axis by itself, so that a filter with too small a bound answers wrongly.
+    #[test]
+    fn zero_area_where_differences_round(p in prop::array::uniform3(-1.0f64..1.0), i in 2i32..60, j in 2i32..60,
+                                         shift in -400i32..400, bump in 0u64..2) {
+        let times = |k: f64| p.map(|x| x * 2f64.powi(shift) * k);
+        let mut points = [times(1.0), times(2f64.powi(i)), times(-2f64.powi(j))];
+        if bump == 0 {
+            prop_assert!(is_zero_area([&points[0], &points[1], &points[2]]));
+        }
+        points[2][1] = f64::from_bits(points[2][1].to_bits() + bump);
+        prop_assert_eq!(is_zero_area([&points[0], &points[1], &points[2]]), zero_by_definition(&points));
+    }
+
     #[test]
     fn zero_area_near_lines(a in prop::array::uniform3(-99i32..99), d in prop::array::uniform3(-9i32..9),
                             m in -9i32..9, n in -9i32..9, scale in -1074i32..900, bump in 0u64..3) {
