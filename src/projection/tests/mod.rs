@@ -1,1 +1,7 @@
-//! Tests of the projection.
+//! Tests of the projection: facts known by hand, generated shells, real shells.
+
+mod facts;
+mod generate;
+mod hostile;
+mod properties;
+mod real;
