@@ -1,7 +1,6 @@
 //! What keeps a map from being built, and a point from being mapped.
 
 use super::Rat;
-use crate::mesh::MeshError;
 use crate::shell::Name;
 use crate::shell::validate::ShellError;
 
@@ -117,12 +116,6 @@ pub enum SectionError {
         /// How many.
         count: usize,
     },
-}
-
-impl From<MeshError> for SectionError {
-    fn from(error: MeshError) -> Self {
-        Self::Mesh(error.to_string())
-    }
 }
 
 fn listed(names: &[Name; 4]) -> String {

@@ -153,7 +153,17 @@ pub(super) fn weighted<'p>(terms: impl IntoIterator<Item = (&'p [f64; 3], Rat)>)
     terms.into_iter().fold(start, |sum, (p, w)| along(&sum, &w, &rational_point(p)))
 }
 
-/// Are all three numbers at least zero?
-pub(super) fn non_negative(weights: &[Rat; 3]) -> bool {
-    !weights.iter().any(Signed::is_negative)
+/// Barycentric coordinates of a point of a closed triangle, by ratios of areas projected along an
+/// axis; `None` off the triangle, and for a triangle without area.
+pub(super) fn triangle_weights(p: &[Rat; 3], x: &[[Rat; 3]; 3]) -> Option<[Rat; 3]> {
+    let normal = cross(&sub(&x[1], &x[0]), &sub(&x[2], &x[0]));
+    if dot(&normal, &sub(p, &x[0])) != Rat::ZERO {
+        return None;
+    }
+    let axis = (0..3).find(|&i| normal[i] != Rat::ZERO)?;
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let area =
+        |a: &[Rat; 3], b: &[Rat; 3]| (&a[j] - &p[j]) * (&b[k] - &p[k]) - (&a[k] - &p[k]) * (&b[j] - &p[j]);
+    let weights = [area(&x[1], &x[2]), area(&x[2], &x[0]), area(&x[0], &x[1])].map(|w| w / &normal[axis]);
+    (!weights.iter().any(Signed::is_negative)).then_some(weights)
 }

@@ -39,9 +39,22 @@ impl Projection<'_> {
         }
     }
 
+    /// The largest height over a middle point: the weight on corners that are not pinched.
+    ///
+    /// # Errors
+    /// [`PointError`]: no such prism, weights that are not barycentric.
+    pub fn thickness(&self, prism: u32, weights: &[Rat; 3]) -> Result<Rat, PointError> {
+        Ok(self.limit(self.check_weights(prism, weights)?, weights))
+    }
+
+    fn limit(&self, corners: [u32; 3], weights: &[Rat; 3]) -> Rat {
+        let thick = (0..3).filter(|&k| !self.shell.is_pinched(corners[k]));
+        thick.fold(Rat::ZERO, |sum, k| sum + &weights[k])
+    }
+
     fn check(&self, q: &ShellPoint) -> Result<(), PointError> {
         let corners = self.check_weights(q.prism, &q.weights)?;
-        let limit = thickness(self, corners, &q.weights);
+        let limit = self.limit(corners, &q.weights);
         if q.height.clone().abs() <= limit {
             return Ok(());
         }
@@ -69,7 +82,7 @@ impl Projection<'_> {
         found.ok_or_else(|| PointError::Height {
             prism: q.prism,
             height: Box::new(q.height.clone()),
-            limit: Box::new(thickness(self, corners, &q.weights)),
+            limit: Box::new(self.limit(corners, &q.weights)),
         })
     }
 
@@ -82,7 +95,7 @@ impl Projection<'_> {
         let corners = self.check_weights(prism, weights)?;
         let bottom = corners.map(|v| self.shell.position(self.shell.name(v, Layer::Bottom)));
         let mut position = weighted(bottom.into_iter().zip(weights.clone()));
-        let mut height = -thickness(self, corners, weights);
+        let mut height = -self.limit(corners, weights);
         let mut pieces = Vec::with_capacity(6);
         for &tet in self.tets_of(prism) {
             // Within a tet a fibre moves the pillar's weight from the lower to the upper end.
@@ -102,12 +115,6 @@ impl Projection<'_> {
 
 fn weight_on(corners: [u32; 3], weights: &[Rat; 3], vertex: u32) -> Rat {
     corners.iter().position(|&v| v == vertex).map_or(Rat::ZERO, |k| weights[k].clone())
-}
-
-/// The largest height over a middle point: the weight on corners that are not pinched.
-fn thickness(projection: &Projection<'_>, corners: [u32; 3], weights: &[Rat; 3]) -> Rat {
-    let thick = (0..3).filter(|&k| !projection.shell.is_pinched(corners[k]));
-    thick.fold(Rat::ZERO, |sum, k| sum + &weights[k])
 }
 
 /// The coordinates in the tet of the point with this image, if none is negative.

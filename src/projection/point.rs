@@ -85,22 +85,26 @@ impl Stars {
         &self.faces[self.starts[v] as usize..self.starts[v + 1] as usize]
     }
 
+    /// The smallest triangle with all the corners of `face` that are marked; `face` for none.
+    pub(super) fn smallest(&self, faces: &[[u32; 3]], face: u32, marked: [bool; 3]) -> u32 {
+        let corners = faces[face as usize];
+        let mut support = (0..3).filter(|&k| marked[k]).map(|k| corners[k]);
+        let Some(first) = support.next() else { return face };
+        let rest: Vec<u32> = support.collect();
+        if rest.len() == 2 {
+            return face;
+        }
+        // Stars are ascending, so the first triangle that fits is the smallest.
+        let fits = |f: &u32| rest.iter().all(|v| faces[*f as usize].contains(v));
+        self.of(first).iter().copied().find(fits).unwrap_or(face)
+    }
+
     /// The smallest triangle on which the point of `face` with these weights can be written, and
     /// its weights there.
     pub(super) fn canonical(&self, faces: &[[u32; 3]], face: u32, weights: &[Rat; 3]) -> (u32, [Rat; 3]) {
         let corners = faces[face as usize];
-        let support: Vec<usize> = (0..3).filter(|&k| weights[k] != Rat::ZERO).collect();
-        if let [first, rest @ ..] = support.as_slice()
-            && support.len() < 3
-        {
-            // Stars are ascending, so the first triangle that fits is the smallest.
-            let fits = |f: &&u32| rest.iter().all(|&k| faces[**f as usize].contains(&corners[k]));
-            if let Some(&best) = self.of(corners[*first]).iter().find(fits) {
-                let moved = faces[best as usize]
-                    .map(|v| corners.iter().position(|&c| c == v).map_or(Rat::ZERO, |k| weights[k].clone()));
-                return (best, moved);
-            }
-        }
-        (face, weights.clone())
+        let best = self.smallest(faces, face, weights.each_ref().map(|w| *w != Rat::ZERO));
+        let weight = |v: u32| corners.iter().position(|&c| c == v).map_or(Rat::ZERO, |k| weights[k].clone());
+        (best, faces[best as usize].map(weight))
     }
 }

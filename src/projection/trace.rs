@@ -3,7 +3,7 @@
 //! This is the test oracle for [`Projection::project`]. It uses planes, intersections and areas in
 //! space, no barycentric sums and no reference prism; slower, and as exact.
 
-use super::exact::{along, cross, dot, non_negative, rational_point, sub};
+use super::exact::{along, cross, dot, rational_point, sub, triangle_weights};
 use super::{Projection, Rat, ShellPoint};
 use crate::shell::{Layer, Slab, Tet};
 
@@ -92,23 +92,10 @@ impl Projection<'_> {
         Some(along(p, &time, &field))
     }
 
-    /// A point of a middle triangle by ratios of areas, projected along an axis.
     fn on_middle(&self, prism: u32, p: &[Rat; 3]) -> Option<ShellPoint> {
         let corners = *self.shell.faces.get(prism as usize)?;
         let x = corners.map(|v| rational_point(self.shell.position(self.shell.name(v, Layer::Middle))));
-        let normal = cross(&sub(&x[1], &x[0]), &sub(&x[2], &x[0]));
-        if dot(&normal, &sub(p, &x[0])) != Rat::ZERO {
-            return None;
-        }
-        let axis = (0..3).find(|&i| normal[i] != Rat::ZERO)?;
-        let area = |a: &[Rat; 3], b: &[Rat; 3]| {
-            let [_, j, k] = [axis, (axis + 1) % 3, (axis + 2) % 3];
-            (&a[j] - &p[j]) * (&b[k] - &p[k]) - (&a[k] - &p[k]) * (&b[j] - &p[j])
-        };
-        let weights = [area(&x[1], &x[2]), area(&x[2], &x[0]), area(&x[0], &x[1])].map(|w| w / &normal[axis]);
-        if !non_negative(&weights) {
-            return None;
-        }
+        let weights = triangle_weights(p, &x)?;
         Some(self.canonical_of(&ShellPoint { prism, weights, height: Rat::ZERO }))
     }
 }

@@ -19,21 +19,20 @@ pub(super) fn check_point(projection: &Projection<'_>, p: &[Rat; 3]) {
     let locations = projection.locate(p);
     let images = projection.project_all(p);
     assert!(!locations.is_empty() && !images.is_empty(), "{p:?} is in the shell");
-    // One image from every tet, and the same one from all tets around one carrier.
+    // Whichever tet the field is followed from, it ends below one of the images.
+    let mut ends: Vec<ShellPoint> = Vec::new();
     for location in &locations {
         let end = projection.trace(p, location.tet).expect("the tet holds the point");
-        let same: Vec<_> = images.iter().map(ShellPoint::middle).filter(|m| *m == end).collect();
-        assert!(
-            !same.is_empty(),
-            "field tracing from tet {} ends at {end:?}, images are {images:?}",
-            location.tet
-        );
+        if !ends.contains(&end) {
+            ends.push(end);
+        }
     }
+    ends.sort_by_key(|end| end.prism);
+    assert_eq!(ends, middles(&images));
     for image in &images {
         assert_eq!(projection.unproject(image).unwrap(), *p);
         assert_eq!(projection.canonical(image).unwrap(), *image);
     }
-    assert_eq!(projection.trace_all(p), middles(&images));
 }
 
 #[test]
@@ -61,6 +60,9 @@ fn points_of_tets() {
                 projection.tets().iter().filter(|t| carrier.iter().all(|n| t.names.contains(n))).count()
             );
             shared += usize::from(same > 1);
+            if points % 20 == 0 {
+                assert_eq!(projection.trace_all(&p), middles(&projection.project_all(&p)));
+            }
             points += 1;
         }
     }
