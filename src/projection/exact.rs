@@ -116,7 +116,7 @@ impl TetWeights {
 
 /// A closed box of doubles that holds the point. Infinite where the point is out of range.
 ///
-/// `to_f64_fast` and every conversion that is off by less than two units in the last place will do.
+/// Two steps outwards: any conversion that is off by less than two units in the last place will do.
 pub(super) fn outer_box(p: &[Rat; 3]) -> [[f64; 3]; 2] {
     let near = p.each_ref().map(|x| x.to_f64().value());
     [near.map(|x| x.next_down().next_down()), near.map(|x| x.next_up().next_up())]

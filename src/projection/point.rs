@@ -1,5 +1,7 @@
 //! Points of the abstract shell.
 
+use std::fmt;
+
 use dashu_base::Signed;
 
 use super::Rat;
@@ -44,6 +46,13 @@ impl ShellPoint {
     #[must_use]
     pub fn middle(&self) -> Self {
         Self { height: Rat::ZERO, ..self.clone() }
+    }
+}
+
+impl fmt::Display for ShellPoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [alpha, beta, gamma] = &self.weights;
+        write!(f, "prism {}, weights ({alpha}, {beta}, {gamma}), height {}", self.prism, self.height)
     }
 }
 

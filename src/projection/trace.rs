@@ -1,7 +1,8 @@
 //! The projection once more, by its definition: the field is followed to the middle surface.
 //!
 //! This is the test oracle for [`Projection::project`]. It uses planes, intersections and areas in
-//! space, no barycentric sums and no reference prism; slower, and as exact.
+//! space, no barycentric sums and no reference prism; it is as exact, and several times slower. Use it to
+//! check, not to compute.
 
 use super::exact::{along, cross, dot, rational_point, sub, triangle_weights};
 use super::{Projection, Rat, ShellPoint};

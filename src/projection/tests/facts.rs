@@ -30,7 +30,7 @@ fn on_the_reference_prism_the_projection_is_the_identity() {
                 let p = in_tet(&projection, i % projection.tets().len(), &random.weights());
                 let [x, y, z] = p.clone();
                 let expected = ShellPoint { prism: 0, weights: [Rat::ONE - &x - &y, x, y], height: z };
-                assert_eq!(projection.project_all(&p), [expected.clone()]);
+                assert_eq!(projection.project_all(&p), std::slice::from_ref(&expected));
                 assert_eq!(projection.unproject(&expected).unwrap(), p);
                 seen += 1;
             }

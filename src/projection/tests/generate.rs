@@ -2,7 +2,7 @@
 
 use crate::certify::VertexOrder;
 use crate::projection::{Projection, Rat, ShellPoint};
-use crate::shell::{Layer, Shell};
+use crate::shell::Shell;
 use dashu_int::{IBig, UBig};
 
 /// SplitMix64.
@@ -52,8 +52,10 @@ pub(super) fn ratio(n: i64, d: u64) -> Rat {
     Rat::from_parts(IBig::from(n), UBig::from(d))
 }
 
+type Points = Vec<[f64; 3]>;
+
 /// A middle surface (a grid, an octahedron or one triangle) with outward directions.
-fn surface(random: &mut Random) -> (Vec<[f64; 3]>, Vec<[f64; 3]>, Vec<[u32; 3]>) {
+fn surface(random: &mut Random) -> (Points, Points, Vec<[u32; 3]>) {
     match random.below(3) {
         0 => {
             let vertices = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
@@ -121,9 +123,7 @@ pub(super) fn shell_point(random: &mut Random, shell: &Shell) -> ShellPoint {
     let prism = random.below(shell.prism_count());
     let weights: [Rat; 3] = random.weights();
     let corners = shell.faces[prism];
-    let thick = |k: usize| {
-        shell.layer(Layer::Top)[corners[k] as usize] != shell.layer(Layer::Bottom)[corners[k] as usize]
-    };
+    let thick = |k: usize| !shell.is_pinched(corners[k]);
     let limit = (0..3).filter(|&k| thick(k)).fold(Rat::ZERO, |sum, k| sum + &weights[k]);
     let height = limit * ratio(i64::try_from(random.below(9)).unwrap() - 4, 4);
     ShellPoint { prism: u32::try_from(prism).unwrap(), weights, height }

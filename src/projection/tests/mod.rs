@@ -1,5 +1,8 @@
 //! Tests of the projection: facts known by hand, generated shells, real shells.
 
+// Equality of doubles is what these tests mean where they say so.
+#![allow(clippy::float_cmp)]
+
 mod facts;
 mod float;
 mod generate;

@@ -57,7 +57,7 @@ fn real_sections_round_trip() {
         let mesh = file.mesh.unwrap();
         let projection = Projection::new(&file.shell, &VertexOrder::Id).unwrap();
         let map = SectionMap::new(&projection, &mesh).unwrap();
-        for _ in 0..150 {
+        for _ in 0..500 {
             let point = map.canonical(&mesh_point(&mut random, &mesh)).unwrap();
             let middle = map.to_middle(&point).unwrap_or_else(|e| panic!("{name}: {e}"));
             assert_eq!(map.to_mesh(middle.prism, &middle.weights).unwrap(), point, "{name}");

@@ -113,5 +113,10 @@ fn the_reference_projection_agrees() {
             points.map(|m| (m.face, m.weights)).collect()
         });
         eprintln!("{name} middle to mesh, {} queries: {up:?}", answers.queries.len());
+        // Measured: every query agrees, the worst by 4e-12 (mesh triangles are small beside the
+        // middle ones, which magnifies the rounding of the stored queries).
+        for tally in [down, up] {
+            assert_eq!(tally.agree, answers.queries.len(), "{name}: {tally:?}");
+        }
     }
 }
