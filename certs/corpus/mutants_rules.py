@@ -360,6 +360,11 @@ def crossings(m):
       claim("disjoint-top", "refuted"), claim("i2", "refuted"), blocks(disjoint_top=pinched, i2=None))
 
 
+def first(text):
+    """The first vertex line of an OFF file."""
+    return text.split("\n")[2]
+
+
 def contacts(m):
     t, line = "tetrahedron", "contact 0 1 b0,m1,b3,m3 0 1 0 0 1 0 0 -3*2^1"
     m(t, "i2-claimed", "invalid missing-separation", "i2 claimed, no planes", claim("i2", "certified"), blocks(i2=""))
@@ -389,6 +394,14 @@ def contacts(m):
     m("boundary", "contact-of-dot-one", "invalid wrong-value", "the dot is exactly 0, called 1", whole(refuted, empty + touch + "1"), files=roof)
     m("boundary", "i2-claimed-dot-zero", "invalid missing-separation", "i2 claimed where a dot is exactly 0",
       whole(EVERYTHING, empty), files=roof)
+    hip = {part: lambda t, make=make: lines(first(make(t)), "0.0 0.0 0.0")(make(t)) for part, make in roof.items() if part in ("bottom", "top")}
+    pinned = {**roof, **hip}
+    for name, answer, what, weights in [
+            ("contact-at-pinched", "invalid not-refuted", "the dot is 0, but they touch at a pinched vertex only", "1 0 0 1 0 0 0"),
+            ("contact-beside-pinched", "valid", "the dot is 0, and they touch at a vertex that is not pinched", "0 0 1 0 1 0 0"),
+            ("contact-near-pinched", "valid", "the dot is 0, and they touch on an edge with a pinched end", "1 0 1 1 1 0 0")]:
+        m("boundary", name, answer, what, whole(refuted, f"{empty}contact 0 1 m0,m2,m3,t3 {weights} 0"),
+          lines("pinched 0", "pinched 16 0"), files=pinned)
 
 
 def separation_from_tets(m):
