@@ -4,9 +4,9 @@
 
 use std::path::Path;
 
-use homeo::certify::VertexOrder;
 use homeo::mesh::TriMesh;
 use homeo::projection::{Projection, Rat};
+use homeo::shell::VertexOrder;
 use homeo::shell::{Shell, hdf5};
 
 /// Concentric octahedra of radius 1, 2 and 3; the mesh is one of radius 2.5.

@@ -6,9 +6,9 @@
 
 use std::path::Path;
 
-use homeo::certify::VertexOrder;
 use homeo::mesh::{self, TriMesh};
 use homeo::projection::{Projection, SectionMap};
+use homeo::shell::VertexOrder;
 use homeo::shell::hdf5;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -4,8 +4,8 @@ use super::boxes::BoxTree;
 use super::exact::{Homogeneous, TetWeights, outer_box, rational_point};
 use super::point::Stars;
 use super::{ProjectionError, Rat, ShellPoint};
-use crate::certify::VertexOrder;
 use crate::predicate::{Sign, orient3d};
+use crate::shell::VertexOrder;
 use crate::shell::{Name, Shell, Tet, validate};
 
 /// The projection of a shell under one vertex order, ready to answer for any number of points.

@@ -3,7 +3,7 @@
 //! # How to call it
 //!
 //! ```
-//! use homeo::certify::VertexOrder;
+//! use homeo::shell::VertexOrder;
 //! use homeo::projection::Projection;
 //! use homeo::shell::Shell;
 //!
@@ -43,7 +43,7 @@
 //! Its stored answers are a triangle `fid` of the target mesh and `qUV`. From mesh to middle surface,
 //! `fid` is [`ShellPoint::prism`] and `qUV` is `(beta, gamma)`, the weights on the triangle's second
 //! and third corner; from middle to mesh, `fid` is [`MeshPoint::face`] and `qUV` the last two
-//! [`MeshPoint::weights`]. Its decomposition is that of [`VertexOrder::Id`](crate::certify::VertexOrder):
+//! [`MeshPoint::weights`]. Its decomposition is that of [`VertexOrder::Id`](crate::shell::VertexOrder):
 //! on three of its shells all 7,832 of its answers are those of this module, up to its own rounding
 //! (at most 4e-12). On an edge or at a vertex it names any of the triangles there, this module the
 //! one with the smallest id. The mesh must be taken from the shell file, where it is moved and scaled.

@@ -1,9 +1,9 @@
 //! Shells whose projection is known by hand.
 
 use super::generate::{Random, in_tet, ratio, spiral};
-use crate::certify::VertexOrder;
 use crate::projection::{Projection, Rat, ShellPoint};
 use crate::shell::Shell;
+use crate::shell::VertexOrder;
 use crate::shell::decomposition::ORDERS;
 
 /// The reference prism itself, its corners at (0, 0), (1, 0), (0, 1), some of them pinched.

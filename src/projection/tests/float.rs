@@ -2,8 +2,8 @@
 
 use super::generate::{Random, in_tet, shell};
 use super::real::shell_directory;
-use crate::certify::VertexOrder;
 use crate::projection::{FloatPoint, MAX_ERROR, Projection, Rat, ShellPoint};
+use crate::shell::VertexOrder;
 use crate::shell::{Shell, hdf5};
 use dashu_base::Abs;
 

@@ -1,8 +1,8 @@
 //! Random shells with positive tets, and random points in them. Deterministic.
 
-use crate::certify::VertexOrder;
 use crate::projection::{Projection, Rat, ShellPoint};
 use crate::shell::Shell;
+use crate::shell::VertexOrder;
 use dashu_int::{IBig, UBig};
 
 /// SplitMix64.

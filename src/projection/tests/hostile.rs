@@ -2,8 +2,8 @@
 
 use super::generate::{Random, in_tet, ratio, spiral};
 use super::properties::check_point;
-use crate::certify::VertexOrder;
 use crate::projection::{PointError, Projection, ProjectionError, Rat, ShellPoint};
+use crate::shell::VertexOrder;
 use crate::shell::validate::ShellError;
 use dashu_int::IBig;
 

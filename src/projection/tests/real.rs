@@ -2,8 +2,8 @@
 
 use super::generate::{Random, in_tet, shell_point};
 use super::properties::check_point;
-use crate::certify::VertexOrder;
 use crate::projection::{Projection, ProjectionError, Rat};
+use crate::shell::VertexOrder;
 use crate::shell::hdf5;
 use std::path::PathBuf;
 

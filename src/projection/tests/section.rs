@@ -2,9 +2,9 @@
 
 use super::generate::{Random, ratio, shell, spiral};
 use super::real::shell_directory;
-use crate::certify::VertexOrder;
 use crate::mesh::TriMesh;
 use crate::projection::{MeshPoint, Projection, Rat, SectionError, SectionMap, ShellPoint};
+use crate::shell::VertexOrder;
 use crate::shell::hdf5;
 
 fn mesh_point(random: &mut Random, mesh: &TriMesh) -> MeshPoint {

@@ -4,9 +4,9 @@
 //! found, -2: no hit) with the weights `qUV` on its second and third corner.
 
 use super::real::shell_directory;
-use crate::certify::VertexOrder;
 use crate::mesh::TriMesh;
 use crate::projection::{Projection, Rat, SectionMap};
+use crate::shell::VertexOrder;
 use crate::shell::hdf5;
 use hdf5_pure::File;
 use std::collections::BTreeMap;
