@@ -11,6 +11,7 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <iterator>
+#include <numeric>
 
 #include "off.hpp"
 
@@ -54,14 +55,16 @@ bool only_pinched(const Mesh& mesh, const Face& f, const Shell& shell, const std
 
 std::size_t layer_hits(const Mesh& mesh, const Shell& shell, int layer) {
   const auto& points = shell.layers[layer];
-  std::vector<std::size_t> ids(std::max(mesh.faces.size(), shell.faces.size()));
-  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = i;
-  const auto boxes = [&](const std::vector<Row>& rows, const std::vector<Face>& faces) {
+  // Two lists: CGAL takes boxes with handles of one address for one box, and reports no pair of it.
+  std::vector<std::size_t> mesh_ids(mesh.faces.size()), shell_ids(shell.faces.size());
+  std::iota(mesh_ids.begin(), mesh_ids.end(), 0);
+  std::iota(shell_ids.begin(), shell_ids.end(), 0);
+  const auto boxes = [](const std::vector<Row>& rows, const std::vector<Face>& faces, const auto& ids) {
     std::vector<Box> out;
     for (std::size_t i = 0; i < faces.size(); ++i) out.emplace_back(triangle<Fast>(rows, faces[i]).bbox(), &ids[i]);
     return out;
   };
-  auto first = boxes(mesh.points, mesh.faces), second = boxes(points, shell.faces);
+  auto first = boxes(mesh.points, mesh.faces, mesh_ids), second = boxes(points, shell.faces, shell_ids);
   std::size_t hits = 0;
   const auto meet = [&](const Box& a, const Box& b) {
     const Face &f = mesh.faces[*a.handle()], &g = shell.faces[*b.handle()];
