@@ -21,7 +21,8 @@ fn c1(criterion: &mut Criterion) {
 }
 
 fn all_claims(criterion: &mut Criterion) {
-    let inputs = [("initial, 20,000 triangles", initial(50)), ("simplified, 12,800 triangles", simplified(10, 2))];
+    let inputs =
+        [("initial, 20,000 triangles", initial(50)), ("simplified, 12,800 triangles", simplified(10, 2))];
     for (name, input) in inputs {
         let mut group = criterion.benchmark_group(name);
         group.sample_size(10).sampling_mode(SamplingMode::Flat);

@@ -1,7 +1,9 @@
 //! `orient3d` beside two other crates, on random, nearly coplanar and coplanar points.
 #![allow(missing_docs)]
 
-use criterion::{BenchmarkId, Criterion, Throughput, black_box, criterion_group, criterion_main};
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use homeo_benches::quads::{IMPLEMENTATIONS, Kind, quads};
 
 fn orient3d(criterion: &mut Criterion) {

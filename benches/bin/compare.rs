@@ -22,11 +22,12 @@ type Res<T = ()> = Result<T, Box<dyn Error>>;
 
 fn main() -> Res {
     let rounds: usize = std::env::args().nth(1).map_or(Ok(7), |a| a.parse())?;
-    let load = || std::fs::read_to_string("/proc/loadavg").unwrap_or_default().chars().take(14).collect::<String>();
+    let load =
+        || std::fs::read_to_string("/proc/loadavg").unwrap_or_default().chars().take(14).collect::<String>();
     let before = load();
     let cgal = Cgal::build();
     let mut report = String::from(
-        "# Results\n\nWritten by `just bench`, never by hand. One thread. Within a row everything ran turn by turn in one \
+        "# Results\n\nWritten by `benches/compare.sh`, never by hand. One thread. Within a row everything ran turn by turn in one \
          run; ratios are medians over the rounds of the ratio within a round, so that other load falls on both sides. \
          Absolute times hold for one machine and its load.\n",
     );
@@ -48,7 +49,13 @@ fn main() -> Res {
 }
 
 fn predicates(rounds: usize, report: &mut String) -> Res {
-    let mut table = Table::new(&["orient3d", "homeo ns", "geometry-predicates ns (ratio)", "robust ns (ratio)", "signs differ"]);
+    let mut table = Table::new(&[
+        "orient3d",
+        "homeo ns",
+        "geometry-predicates ns (ratio)",
+        "robust ns (ratio)",
+        "signs differ",
+    ]);
     for kind in Kind::ALL {
         let inputs = quads(kind, 100_000);
         let mut times = vec![Vec::new(); IMPLEMENTATIONS.len()];
@@ -65,7 +72,11 @@ fn predicates(rounds: usize, report: &mut String) -> Res {
         let differing = inputs.iter().filter(differ).count();
         table.row(cells.into_iter().chain([format!("{differing} of {}", inputs.len())]).collect());
     }
-    write!(report, "\n## Orientation of four points\n\nA ratio above 1: homeo is faster.\n\n{}", table.render())?;
+    write!(
+        report,
+        "\n## Orientation of four points\n\nA ratio above 1: homeo is faster.\n\n{}",
+        table.render()
+    )?;
     Ok(())
 }
 
@@ -82,7 +93,14 @@ fn c1(rounds: usize, cgal: Option<&Cgal>, report: &mut String) -> Res {
             inputs.push((real::name(path), shell));
         }
     }
-    let columns = ["shell", "prisms", "tets", "homeo M tets/s (best)", "CGAL EPICK M tets/s (best)", "CGAL s / homeo s"];
+    let columns = [
+        "shell",
+        "prisms",
+        "tets",
+        "homeo M tets/s (best)",
+        "CGAL EPICK M tets/s (best)",
+        "CGAL s / homeo s",
+    ];
     let mut table = Table::new(&columns);
     for (name, shell) in inputs {
         let files = cgal.map(|_| Files::new(&shell, None)).transpose()?;
@@ -110,19 +128,28 @@ fn c1(rounds: usize, cgal: Option<&Cgal>, report: &mut String) -> Res {
         let cells = [name, shell.faces.len().to_string(), tets.to_string(), rate(&ours)];
         table.row(cells.into_iter().chain(peer).collect());
     }
-    write!(report, "\n## Claim `positivity` alone\n\nAsked for: 1.5 M tets/s. Both on the same coordinates, signs only.\n\n{}", table.render())?;
+    write!(
+        report,
+        "\n## Claim `positivity` alone\n\nAsked for: 1.5 M tets/s. Both on the same coordinates, signs only.\n\n{}",
+        table.render()
+    )?;
     Ok(())
 }
 
 fn claims_and_checker(rounds: usize, report: &mut String) -> Res {
     let columns = [
-        "input", "mesh triangles", "prisms", "certify s", "check s", "check / certify", "peak MiB of certify",
+        "input",
+        "mesh triangles",
+        "prisms",
+        "certify s",
+        "check s",
+        "check / certify",
+        "peak MiB of certify",
         "certificate MB",
     ];
     let mut table = Table::new(&columns);
     let mut parts = Table::new(&["input", "claim", "verdict", "s"]);
-    let inputs =
-        [("initial:50", initial(50)), ("same:30", same(30)), ("simplified:16", simplified(16, 2))];
+    let inputs = [("initial:50", initial(50)), ("same:30", same(30)), ("simplified:16", simplified(16, 2))];
     for (name, input) in inputs {
         let files = checker_inputs(&input)?;
         let (mut certify, mut check, mut outcome) = (Vec::new(), Vec::new(), None);
@@ -133,7 +160,11 @@ fn claims_and_checker(rounds: usize, report: &mut String) -> Res {
             let answer = homeo_certs::check(result.certificate.as_ref(), &files);
             check.push(start.elapsed().as_secs_f64());
             if answer.status != "valid" {
-                return Err(format!("{name}: the checker says {} {} {}", answer.status, answer.code, answer.message).into());
+                return Err(format!(
+                    "{name}: the checker says {} {} {}",
+                    answer.status, answer.code, answer.message
+                )
+                .into());
             }
             outcome = Some(result);
         }
@@ -144,7 +175,12 @@ fn claims_and_checker(rounds: usize, report: &mut String) -> Res {
         }
         table.row(row(name, &input, &certify, &check, outcome.certificate.len())?);
     }
-    write!(report, "\n## All claims, and the checker\n\nAsked for: initial:50 under 10 s and 1 GiB, and a ratio below 1.\n\n{}\n{}", table.render(), parts.render())?;
+    write!(
+        report,
+        "\n## All claims, and the checker\n\nAsked for: initial:50 under 10 s and 1 GiB, and a ratio below 1.\n\n{}\n{}",
+        table.render(),
+        parts.render()
+    )?;
     Ok(())
 }
 

@@ -58,12 +58,17 @@ fn stored(path: &Path) -> Result<Input, Box<dyn Error>> {
 
 fn thick(name: &str) -> Result<Input, Box<dyn Error>> {
     let mesh = mesh::read(&real::data().join("surface").join(name))?.mesh;
-    Ok(Input { name: format!("thick shell around {name}"), shell: offset_shell(&mesh, 1.0), mesh: Some(mesh) })
+    Ok(Input {
+        name: format!("thick shell around {name}"),
+        shell: offset_shell(&mesh, 1.0),
+        mesh: Some(mesh),
+    })
 }
 
 /// Prints the table; whether all agree.
 fn compare(shells: &[PathBuf], cgal: &Cgal) -> Result<bool, Box<dyn Error>> {
-    let mut table = Table::new(&["shell", "prisms", NAMES[0], NAMES[1], NAMES[2], NAMES[3], NAMES[4], "agree"]);
+    let mut table =
+        Table::new(&["shell", "prisms", NAMES[0], NAMES[1], NAMES[2], NAMES[3], NAMES[4], "agree"]);
     let mut agree = true;
     let inputs = shells.iter().map(|p| stored(p)).chain(SURFACES.into_iter().map(thick));
     for input in inputs {

@@ -62,7 +62,8 @@ pub fn sphere(frequency: u32) -> TriMesh {
                 if i + j + 1 < f {
                     faces.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
                 }
-                mesh.faces.extend(faces.into_iter().map(|[a, b, c]| if flip { [a, c, b] } else { [a, b, c] }));
+                mesh.faces
+                    .extend(faces.into_iter().map(|[a, b, c]| if flip { [a, c, b] } else { [a, b, c] }));
             }
         }
     }
@@ -112,7 +113,12 @@ pub fn offset_shell(middle: &TriMesh, thickness: f64) -> Shell {
         };
         middle.vertices.iter().zip(&normals).enumerate().map(pillar).collect::<Vec<Point>>()
     };
-    Shell { bottom: side(-1.0, 0), middle: middle.vertices.clone(), top: side(1.0, 1), faces: middle.faces.clone() }
+    Shell {
+        bottom: side(-1.0, 0),
+        middle: middle.vertices.clone(),
+        top: side(1.0, 1),
+        faces: middle.faces.clone(),
+    }
 }
 
 /// `mesh` with `splits` edges split (fewer when no more edges without common triangles exist): each adds one vertex,

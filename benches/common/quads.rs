@@ -46,7 +46,7 @@ pub fn quads(kind: Kind, count: usize) -> Vec<Quad> {
         let [a, b, c] = [0, 1, 2].map(|i| whole(point(i)));
         let mut d = [0, 1, 2].map(|i| b[i] + c[i] - a[i]);
         if kind == Kind::OneUlp {
-            d[n % 3] = if n % 2 == 0 { d[n % 3].next_up() } else { d[n % 3].next_down() };
+            d[n % 3] = if n.is_multiple_of(2) { d[n % 3].next_up() } else { d[n % 3].next_down() };
         }
         [a, b, c, d]
     };
