@@ -15,7 +15,7 @@ use homeo_benches::cgal::{Cgal, Files};
 use homeo_benches::generate::{Generated, initial, same, simplified};
 use homeo_benches::quads::{IMPLEMENTATIONS, Kind, quads};
 use homeo_benches::real;
-use homeo_benches::run::{checker_inputs, on_one_thread, positivity, whole};
+use homeo_benches::run::{checker_inputs, on_one_thread, positivity, signs_alone, whole};
 use homeo_benches::table::{Table, median, smallest};
 
 type Res<T = ()> = Result<T, Box<dyn Error>>;
@@ -98,17 +98,24 @@ fn c1(rounds: usize, cgal: Option<&Cgal>, report: &mut String) -> Res {
         "prisms",
         "tets",
         "homeo M tets/s (best)",
+        "homeo, signs alone",
         "CGAL EPICK M tets/s (best)",
         "CGAL s / homeo s",
+        "CGAL s / signs alone s",
     ];
     let mut table = Table::new(&columns);
     for (name, shell) in inputs {
         let files = cgal.map(|_| Files::new(&shell, None)).transpose()?;
-        let (mut ours, mut theirs, mut tets) = (Vec::new(), Vec::new(), 0);
+        let (mut ours, mut signs, mut theirs, mut tets) = (Vec::new(), Vec::new(), Vec::new(), 0);
         for _ in 0..rounds {
             let (count, seconds) = on_one_thread(|| positivity(&shell))??;
             tets = count;
             ours.push(seconds);
+            let (bad, seconds) = signs_alone(&shell);
+            signs.push(seconds);
+            if bad != 0 {
+                return Err(format!("{name}: {bad} tets are not positive").into());
+            }
             if let (Some(cgal), Some(files)) = (cgal, &files) {
                 let answer = cgal.run("c1", &[], &files.paths)?;
                 if answer.get::<u64>("tets")? != tets {
@@ -121,11 +128,11 @@ fn c1(rounds: usize, cgal: Option<&Cgal>, report: &mut String) -> Res {
             format!("{:.1} ({:.1})", tets as f64 / median(times) / 1e6, tets as f64 / smallest(times) / 1e6)
         };
         let peer = if theirs.is_empty() {
-            ["not built".to_owned(), String::new()]
+            ["not built".to_owned(), String::new(), String::new()]
         } else {
-            [rate(&theirs), format!("{:.2}", ratio(&theirs, &ours))]
+            [rate(&theirs), format!("{:.2}", ratio(&theirs, &ours)), format!("{:.2}", ratio(&theirs, &signs))]
         };
-        let cells = [name, shell.faces.len().to_string(), tets.to_string(), rate(&ours)];
+        let cells = [name, shell.faces.len().to_string(), tets.to_string(), rate(&ours), rate(&signs)];
         table.row(cells.into_iter().chain(peer).collect());
     }
     write!(
@@ -135,6 +142,9 @@ fn c1(rounds: usize, cgal: Option<&Cgal>, report: &mut String) -> Res {
     )?;
     Ok(())
 }
+
+/// Real files to certify and check: before simplification, and after it.
+const REAL: [&str; 4] = ["bunny.off.h5.init", "c_homer.obj.h5.init", "bunny.off.h5", "fandisk.off.h5"];
 
 fn claims_and_checker(rounds: usize, report: &mut String) -> Res {
     let columns = [
@@ -149,12 +159,24 @@ fn claims_and_checker(rounds: usize, report: &mut String) -> Res {
     ];
     let mut table = Table::new(&columns);
     let mut parts = Table::new(&["input", "claim", "verdict", "s"]);
-    let inputs = [("initial:50", initial(50)), ("same:30", same(30)), ("simplified:16", simplified(16, 2))];
-    for (name, input) in inputs {
-        let files = checker_inputs(&input)?;
+    let mut inputs = vec![
+        ("initial:50".to_owned(), initial(50)),
+        ("same:30".to_owned(), same(30)),
+        ("simplified:16".to_owned(), simplified(16, 2)),
+    ];
+    for path in real::shells() {
+        if REAL.contains(&real::name(&path).as_str()) {
+            let file = hdf5::read(&path)?;
+            let mesh = file.mesh.ok_or("a shell file without a mesh")?;
+            inputs.push((path.to_string_lossy().into_owned(), Generated { shell: file.shell, mesh }));
+        }
+    }
+    for (argument, input) in &inputs {
+        let name = real::name(Path::new(argument));
+        let files = checker_inputs(input)?;
         let (mut certify, mut check, mut outcome) = (Vec::new(), Vec::new(), None);
         for _ in 0..rounds {
-            let (result, seconds) = on_one_thread(|| whole(&input))??;
+            let (result, seconds) = on_one_thread(|| whole(input))??;
             certify.push(seconds);
             let start = Instant::now();
             let answer = homeo_certs::check(result.certificate.as_ref(), &files);
@@ -170,10 +192,10 @@ fn claims_and_checker(rounds: usize, report: &mut String) -> Res {
         }
         let outcome = outcome.ok_or("no round")?;
         for claim in outcome.claims.iter().filter(|c| c.claim != Claim::Bijection) {
-            let cells = [name, claim.claim.name(), claim.verdict.word()].map(str::to_owned);
+            let cells = [&name, claim.claim.name(), claim.verdict.word()].map(str::to_owned);
             parts.row(cells.into_iter().chain([format!("{:.3}", claim.seconds)]).collect());
         }
-        table.row(row(name, &input, &certify, &check, outcome.certificate.len())?);
+        table.row(row(argument, input, &certify, &check, outcome.certificate.len())?);
     }
     write!(
         report,
@@ -184,13 +206,14 @@ fn claims_and_checker(rounds: usize, report: &mut String) -> Res {
     Ok(())
 }
 
-fn row(name: &str, input: &Generated, certify: &[f64], check: &[f64], bytes: usize) -> Res<Vec<String>> {
+fn row(argument: &str, input: &Generated, certify: &[f64], check: &[f64], bytes: usize) -> Res<Vec<String>> {
     // A process of its own, so that only the certifier's memory counts.
-    let output = Command::new(std::env::current_exe()?.with_file_name("homeo-profile")).arg(name).output()?;
+    let output =
+        Command::new(std::env::current_exe()?.with_file_name("homeo-profile")).arg(argument).output()?;
     let text = String::from_utf8_lossy(&output.stdout);
     let peak = text.lines().find_map(|l| l.strip_prefix("peak_mib=")).unwrap_or("unknown");
     Ok(vec![
-        name.to_owned(),
+        real::name(Path::new(argument)),
         input.mesh.faces.len().to_string(),
         input.shell.faces.len().to_string(),
         format!("{:.2}", median(certify)),

@@ -1,14 +1,16 @@
 //! Certifies one shell on one thread and prints the seconds of each claim and the peak memory: what to run a profiler
 //! on.
 //!
-//!     homeo-profile FILE.h5 | same:FREQUENCY | initial:FREQUENCY | simplified:FREQUENCY
+//!     homeo-profile FILE.h5 | same:FREQUENCY | initial:FREQUENCY | simplified:FREQUENCY [check]
+//!
+//! With `check` the checker runs after it, on the certificate and the meshes.
 
 use std::error::Error;
 use std::path::Path;
 
 use homeo::shell::hdf5;
 use homeo_benches::generate::{Generated, initial, same, simplified};
-use homeo_benches::run::{on_one_thread, peak_memory, whole};
+use homeo_benches::run::{checker_inputs, on_one_thread, peak_memory, whole};
 
 fn input(name: &str) -> Result<Generated, Box<dyn Error>> {
     if let Some((kind, frequency)) = name.split_once(':') {
@@ -38,6 +40,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("seconds={seconds:.3}");
     if let Some(mib) = peak_memory() {
         println!("peak_mib={mib:.1}");
+    }
+    if std::env::args().nth(2).as_deref() == Some("check") {
+        let files = checker_inputs(&input)?;
+        let start = std::time::Instant::now();
+        let answer = homeo_certs::check(outcome.certificate.as_ref(), &files);
+        let seconds = start.elapsed().as_secs_f64();
+        println!("checker: {} {} {} {seconds:.3} s", answer.status, answer.code, answer.message);
     }
     Ok(())
 }

@@ -40,7 +40,10 @@ pub fn unit_hash(n: u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// A closed bumpy sphere about the origin, outward oriented, of `8 * frequency^2` triangles.
+/// A closed bumpy sphere in the unit box, outward oriented, of `8 * frequency^2` triangles.
+///
+/// About (1/2, 1/2, 1/2): about the origin some coordinates would be of the size of a rounding error, and such
+/// exponents, rare in real files, widen all exact integers.
 #[must_use]
 pub fn sphere(frequency: u32) -> TriMesh {
     let f = i64::from(frequency.max(1));
@@ -74,7 +77,7 @@ fn bump(p: Point) -> Point {
     let scale = 1.0 / length(p);
     let [x, y, z] = p.map(|c| c * scale);
     let radius = 0.4 + 0.02 * (5.0 * x).sin() * (4.0 * y).cos() + 0.01 * (7.0 * z + x).sin();
-    [x * radius, y * radius, z * radius]
+    [x, y, z].map(|c| c.mul_add(radius, 0.5))
 }
 
 /// Unit vertex normals: the sum of the neighbouring triangles' area vectors, scaled.
