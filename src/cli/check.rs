@@ -5,21 +5,25 @@ use std::process::ExitCode;
 
 use super::CliError;
 use super::input::{Loaded, read_regular};
-use super::output::{self, one_line};
+use super::output;
 use crate::shell::hdf5;
 
 /// Arguments of `homeo check`.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The certificate
-    certificate: PathBuf,
-    /// A shell file; a shell file and a mesh; bottom, middle and top mesh; or these three and a mesh
-    inputs: Vec<PathBuf>,
+    /// The certificate, then its inputs: a shell file; a shell file and a mesh; bottom, middle and top mesh; or these
+    /// three and a mesh
+    #[arg(value_name = "CERT INPUT...")]
+    files: Vec<PathBuf>,
 }
 
 /// Runs the command: the answer and the exit code are those of `homeo-check`.
 pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
-    let outcome = homeo_certs::check_files(&args.certificate, &args.inputs);
+    let Some((certificate, inputs)) = args.files.split_first() else {
+        output::print("malformed usage : no certificate given, see --help\n")?;
+        return Ok(ExitCode::from(2));
+    };
+    let outcome = homeo_certs::check_files(certificate, inputs);
     output::print(&answer(&outcome))?;
     Ok(ExitCode::from(outcome.exit))
 }
@@ -39,7 +43,7 @@ fn first_line(outcome: &homeo_certs::Outcome) -> String {
     let mut out = outcome.status.to_owned();
     for (before, part) in [(" ", outcome.code), (" : ", outcome.message.as_str())] {
         if !part.is_empty() {
-            out = out + before + &one_line(part);
+            out = out + before + &part.replace('\n', " ");
         }
     }
     out

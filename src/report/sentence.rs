@@ -50,7 +50,7 @@ fn certified(result: &ClaimResult, s: &Sources) -> String {
     let (shell, mesh, prisms, triangles, order) = (&s.shell, &s.mesh, s.prisms, s.triangles, &s.order);
     match result.claim {
         Claim::Positivity => {
-            let tets = count(result, "tets");
+            let tets = count(result, "different_tets");
             format!("all {tets} different tets of the {prisms} prisms of {shell} have positive volume.")
         }
         Claim::Section => {
@@ -88,7 +88,7 @@ fn refuted(result: &ClaimResult, s: &Sources) -> String {
     let (shell, mesh, order) = (&s.shell, &s.mesh, &s.order);
     match result.claim {
         Claim::Positivity => {
-            let (bad, tets) = (count(result, "tets_not_positive"), count(result, "tets"));
+            let (bad, tets) = (count(result, "tets_not_positive"), count(result, "different_tets"));
             let prisms = count(result, "prisms_not_positive");
             format!("{bad} of the {tets} different tets of {shell}, in {prisms} prisms, do not have positive volume.")
         }
