@@ -63,8 +63,9 @@ impl Args {
         }
         let known = Claim::ALL.map(Claim::name).join(", ");
         let find = |name: &String| {
-            Claim::from_name(name)
-                .ok_or_else(|| CliError::Usage(format!("--claim: there is no claim `{name}`; there are {known}")))
+            Claim::from_name(name).ok_or_else(|| {
+                CliError::Usage(format!("--claim: there is no claim `{name}`; there are {known}"))
+            })
         };
         self.claim.iter().map(find).collect()
     }
@@ -91,8 +92,8 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let outputs = Outputs { certificate: args.output.as_deref(), json: &json };
     outputs.may_be_written(&loaded, &args.order)?;
     let options = Options { claims: claims.clone(), order };
-    let outcome =
-        certify(loaded.shell(), loaded.mesh(), &options, &progress).map_err(|e| named(e, &loaded, &args.order))?;
+    let outcome = certify(loaded.shell(), loaded.mesh(), &options, &progress)
+        .map_err(|e| named(e, &loaded, &args.order))?;
     let mut report = report(&outcome, &claims, &options.order, &loaded);
     let checked = if args.no_check { None } else { Some(self_check(&outcome.certificate, &loaded)?) };
     progress.finish();
@@ -158,14 +159,11 @@ fn words(
     for note in &loaded.file.notes {
         let _ = writeln!(out, "note: {}", one_line(note));
     }
-    let order = if args.order == "id" { "by vertex id".to_owned() } else { format!("of {}", one_line(&args.order)) };
-    let sources = Sources {
-        shell: loaded.shell_name(),
-        mesh: loaded.mesh_name(),
-        prisms: loaded.shell().prism_count(),
-        triangles: loaded.mesh().map_or(0, |m| m.faces.len()),
-        order,
-    };
+    let order =
+        if args.order == "id" { "by vertex id".to_owned() } else { format!("of {}", one_line(&args.order)) };
+    let sizes = (loaded.shell().prism_count(), loaded.mesh().map_or(0, |m| m.faces.len()));
+    let mesh_file = loaded.mesh_file.as_ref().map(|_| loaded.mesh_name());
+    let sources = Sources::new(&loaded.shell_name(), mesh_file.as_deref(), sizes, order);
     for result in &outcome.claims {
         out += &sentence(result, &sources);
         if !claims.contains(&result.claim) {
@@ -181,7 +179,8 @@ fn words(
         }
         Some(path) => {
             let path = one_line(&path.display().to_string());
-            let files: Vec<String> = loaded.inputs().iter().map(|p| one_line(&p.display().to_string())).collect();
+            let files: Vec<String> =
+                loaded.inputs().iter().map(|p| one_line(&p.display().to_string())).collect();
             let _ = writeln!(out, "Certificate: {path}\nCheck it:    homeo-check {path} {}", files.join(" "));
             if checked.is_some_and(|c| c.converted) {
                 let _ = writeln!(

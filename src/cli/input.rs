@@ -82,7 +82,8 @@ impl Loaded {
 
     /// The shell's file or files, for messages.
     pub(super) fn shell_name(&self) -> String {
-        let names: Vec<String> = self.shell_files.iter().map(|f| one_line(&f.display().to_string())).collect();
+        let names: Vec<String> =
+            self.shell_files.iter().map(|f| one_line(&f.display().to_string())).collect();
         names.join(", ")
     }
 
@@ -120,10 +121,11 @@ pub(super) fn order(argument: &str, vertices: usize) -> Result<VertexOrder, CliE
     let mut list = Vec::new();
     for (line, text) in (1_usize..).zip(bytes.split(|&b| b == b'\n')) {
         for token in text.split(u8::is_ascii_whitespace).filter(|t| !t.is_empty()) {
-            let id = std::str::from_utf8(token).ok().and_then(|t| t.parse::<u32>().ok()).ok_or_else(|| {
-                let shown: String = String::from_utf8_lossy(token).chars().take(40).collect();
-                fail(format!("line {line}: `{shown}` is no vertex id"))
-            })?;
+            let id =
+                std::str::from_utf8(token).ok().and_then(|t| t.parse::<u32>().ok()).ok_or_else(|| {
+                    let shown: String = String::from_utf8_lossy(token).chars().take(40).collect();
+                    fail(format!("line {line}: `{shown}` is no vertex id"))
+                })?;
             list.push(id);
         }
     }

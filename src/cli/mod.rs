@@ -5,6 +5,8 @@
 
 mod certify;
 mod check;
+mod convert;
+mod demo;
 mod error;
 mod input;
 mod inspect;
@@ -28,12 +30,16 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Make a small mesh with a shell, certify it, check the certificate, damage it, show the refutation
+    Demo(demo::Args),
     /// Decide claims about a shell and a mesh; write the certificate or the refutation
     Certify(certify::Args),
     /// Check a certificate against its input files (the same as `homeo-check`)
     Check(check::Args),
     /// Facts about a shell file, and whether it is a valid input
     Inspect(inspect::Args),
+    /// Convert meshes and shells between file formats
+    Convert(convert::Args),
     /// Facts about a mesh, and its defects
     MeshInfo(mesh_info::Args),
 }
@@ -50,6 +56,8 @@ pub fn main() -> ExitCode {
         }
     };
     let done = match cli.command {
+        Command::Demo(args) => demo::run(&args),
+        Command::Convert(args) => convert::run(&args),
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),
         Command::Inspect(args) => inspect::run(args),

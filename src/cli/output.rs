@@ -87,7 +87,8 @@ impl Json {
 /// Checks before long work that a file can be put there: not an input, not an existing directory or device, and in a
 /// directory that exists.
 pub(super) fn may_write(path: &Path, inputs: &[&Path]) -> Result<(), CliError> {
-    let refuse = |reason: &str| CliError::Write { file: path.display().to_string(), reason: reason.to_owned() };
+    let refuse =
+        |reason: &str| CliError::Write { file: path.display().to_string(), reason: reason.to_owned() };
     if path.as_os_str().is_empty() {
         return Err(refuse("the file name is empty"));
     }
@@ -127,7 +128,8 @@ fn same_file(a: &Path, b: &Path) -> bool {
 /// not at all. A link is followed.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    save(&target, bytes).map_err(|e| CliError::Write { file: path.display().to_string(), reason: e.to_string() })
+    save(&target, bytes)
+        .map_err(|e| CliError::Write { file: path.display().to_string(), reason: e.to_string() })
 }
 
 fn save(target: &Path, bytes: &[u8]) -> io::Result<()> {

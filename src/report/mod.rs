@@ -3,5 +3,7 @@
 mod certified;
 mod sentence;
 
-pub use certified::{CertifyReport, ClaimReport, MeshReport, PartReport, RefutationReport, ShellReport, StageReport};
+pub use certified::{
+    CertifyReport, ClaimReport, MeshReport, PartReport, RefutationReport, ShellReport, StageReport,
+};
 pub use sentence::{Sources, sentence};
