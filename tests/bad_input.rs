@@ -1,10 +1,10 @@
 //! Every command, given files that are no input: one line on standard error, exit code 2, no panic, nothing written.
 
-mod common;
+mod command;
 
 use std::path::Path;
 
-use common::{code, demo, homeo, path, stderr, stdout};
+use command::{code, demo, homeo, path, stderr, stdout};
 
 /// Files that are wrong in every way, by name and content.
 fn bad_files(directory: &Path) -> Vec<String> {

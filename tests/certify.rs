@@ -1,8 +1,8 @@
 //! `homeo certify` and `homeo check` as a user runs them.
 
-mod common;
+mod command;
 
-use common::{code, demo, homeo, path, schema, shells, stderr, stdout, validate};
+use command::{code, demo, homeo, path, schema, shells, stderr, stdout, validate};
 use serde_json::Value;
 
 fn json_of(arguments: &[&str]) -> (i32, Value) {

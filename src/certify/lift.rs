@@ -4,7 +4,7 @@
 //! a piece in the common face of two tets belongs to the tet above it. Each corner is named by its two carriers,
 //! and a side continues into the piece that has the same side reversed.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::clip::{Corner, Mask, Polygon, SIDES, clip};
 use super::complex::{MeshView, TetComplex};
@@ -112,7 +112,7 @@ pub(crate) struct Lift {
     pub(crate) corners: Vec<(Mask, Carriers)>,
     /// The component of the middle complex that the root lies in.
     pub(crate) middle_component: u32,
-    index: HashMap<(u32, u32), u32>,
+    index: FxHashMap<(u32, u32), u32>,
 }
 
 impl Lift {

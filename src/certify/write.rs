@@ -1,9 +1,9 @@
 //! The certificate file, as `certs/FORMAT.md` wants it.
 
-use std::collections::HashMap;
 use std::fmt::{Display, Write as _};
 
 use dashu_int::IBig;
+use rustc_hash::FxHashMap;
 use sha2::{Digest, Sha256};
 
 use super::claim::{Claim, Verdict};
@@ -166,7 +166,7 @@ fn tet(bad: &BadTet, out: &mut Out) {
 /// Overlay vertices numbered by first use, cells in the order of the flood, and the two degree tests.
 fn overlay(lifts: &[Lift], out: &mut Out) {
     out.begin("overlay");
-    let mut ids: HashMap<Carriers, u32> = HashMap::new();
+    let mut ids: FxHashMap<Carriers, u32> = FxHashMap::default();
     let mut cells = Vec::with_capacity(lifts.iter().map(|l| l.corners.len()).sum());
     for (_, carriers) in lifts.iter().flat_map(|l| &l.corners) {
         let next = ids.len() as u32;

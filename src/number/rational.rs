@@ -57,9 +57,9 @@ pub trait Rational: Clone + Debug + Eq + Ord + Hash + Send + Sync + 'static {
     /// The positive denominator in decimal.
     fn denominator(&self) -> String;
 
-    /// From a decimal numerator (`-?[0-9]+`) and a decimal denominator (`[0-9]+`), not necessarily in
-    /// lowest terms; `None` if either is not of that form or the denominator is zero. [`Rational::parse`]
-    /// is the checked way in.
+    /// From a decimal numerator of the form `-?[0-9]+` and a decimal denominator of the form `[0-9]+`, not
+    /// necessarily in lowest terms; `None` if the denominator is zero. What other forms give depends on the
+    /// backend (a value or `None`, never a panic): [`Rational::parse`] is the checked way in.
     fn from_decimal(numerator: &str, denominator: &str) -> Option<Self>;
 
     /// The bit lengths of `|numerator|` and denominator.

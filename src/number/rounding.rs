@@ -38,7 +38,7 @@ fn round(quotient: u64, shift: i32, inexact: bool) -> f64 {
     let bits = 64 - quotient.leading_zeros();
     // The exponent of the result's last place.
     let place = (shift + bits.cast_signed() - 53).max(-1074);
-    let dropped = place.abs_diff(shift).min(63);
+    let dropped = place.abs_diff(shift).clamp(1, 63);
     let (kept, rest, half) = (quotient >> dropped, quotient & ((1 << dropped) - 1), 1 << (dropped - 1));
     let up = rest > half || (rest == half && (inexact || kept & 1 == 1));
     let kept = kept + u64::from(up);

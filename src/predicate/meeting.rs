@@ -32,8 +32,12 @@ impl Meeting {
         if holds { Self::Point } else { Self::Disjoint }
     }
 
-    /// The common part of two closed intervals of a line, given whether some point of the first is
-    /// (strictly) before, after some point of the second, and whether both have positive length.
+    /// The common part of two closed intervals of a line, given the order of every end of the first against
+    /// every end of the second (each interval may name an end twice), and whether both are `proper`: of
+    /// positive length.
+    ///
+    /// They meet exactly when some end of the first is not after some end of the second, and some end is not
+    /// before some; with "before" and "after" strict, proper intervals share more than a point.
     fn of_intervals(orders: &[Sign], proper: bool) -> Self {
         let (before, after) =
             (orders.iter().any(|o| o.is_negative()), orders.iter().any(|o| o.is_positive()));

@@ -1,122 +1,290 @@
-//! Running the command, finding the data, checking JSON against a schema.
-#![allow(dead_code)] // each test program uses a part of it
+//! Small shells and meshes with known verdicts: the controls of `certs/corpus`.
+// Each test binary uses its part.
+#![allow(dead_code)]
 
-use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use homeo::certify::{Claim, Options, VertexOrder};
+use homeo::mesh::TriMesh;
+use homeo::shell::Shell;
 
-use serde_json::Value;
+pub(crate) type Point = [f64; 3];
 
-pub fn homeo<S: AsRef<OsStr>>(arguments: &[S]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_homeo")).args(arguments).stdin(Stdio::null()).output().unwrap()
+/// A shell and a mesh with the verdicts that they must get.
+pub(crate) struct Case {
+    pub(crate) name: &'static str,
+    pub(crate) shell: Shell,
+    pub(crate) mesh: TriMesh,
+    pub(crate) options: Options,
+    /// The claims that are refuted; all others are certified.
+    pub(crate) refuted: &'static [Claim],
+    /// A line that the certificate must hold (a prefix of one of its lines).
+    pub(crate) shows: &'static [&'static str],
 }
 
-pub fn code(output: &Output) -> i32 {
-    output.status.code().expect("ended by a signal")
+/// A shell over points with the same offset down and up at each vertex.
+pub(crate) fn extruded(middle: &[Point], faces: &[[u32; 3]], down: Point, up: Point) -> Shell {
+    let moved = |d: Point| middle.iter().map(|p| [p[0] + d[0], p[1] + d[1], p[2] + d[2]]).collect();
+    Shell { bottom: moved(down), middle: middle.to_vec(), top: moved(up), faces: faces.to_vec() }
 }
 
-pub fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
+/// A shell whose pillars point away from the origin.
+pub(crate) fn radial(middle: &[Point], faces: &[[u32; 3]], inner: f64, outer: f64) -> Shell {
+    let scaled = |s: f64| middle.iter().map(|p| p.map(|x| x * s)).collect();
+    Shell { bottom: scaled(inner), middle: middle.to_vec(), top: scaled(outer), faces: faces.to_vec() }
 }
 
-pub fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
+pub(crate) fn mesh(vertices: &[Point], faces: &[[u32; 3]]) -> TriMesh {
+    TriMesh { vertices: vertices.to_vec(), faces: faces.to_vec() }
 }
 
-/// The directory of real shells; `None`, and a loud word, where it is absent.
-pub fn shells(test: &str) -> Option<PathBuf> {
-    let root = std::env::var_os("HOMEO_DATA")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data"), PathBuf::from);
-    let directory = root.join("thirdparty/shells");
-    if directory.is_dir() {
-        return Some(directory);
+fn lifted(points: &[Point], z: f64) -> Vec<Point> {
+    points.iter().map(|p| [p[0], p[1], p[2] + z]).collect()
+}
+
+const UP: Point = [0.0, 0.0, 1.0];
+const DOWN: Point = [0.0, 0.0, -1.0];
+
+/// The unit octahedron.
+fn octahedron() -> (Vec<Point>, Vec<[u32; 3]>) {
+    let v = vec![[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], UP, DOWN];
+    let f = vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+    (v, f)
+}
+
+/// Each triangle in four, new vertices pushed out to about the unit sphere on a grid of 1/256.
+pub(crate) fn subdivided(vertices: &[Point], faces: &[[u32; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let mut v = vertices.to_vec();
+    let mut mids: std::collections::BTreeMap<[u32; 2], u32> = std::collections::BTreeMap::new();
+    let mut out = Vec::new();
+    for &[a, b, c] in faces {
+        let mut mid = |p: u32, q: u32| {
+            *mids.entry([p.min(q), p.max(q)]).or_insert_with(|| {
+                let (p, q) = (v[p as usize], v[q as usize]);
+                let m = [p[0] + q[0], p[1] + q[1], p[2] + q[2]];
+                let length = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]).sqrt();
+                v.push(m.map(|x| (256.0 * x / length).round() / 256.0));
+                u32::try_from(v.len() - 1).unwrap()
+            })
+        };
+        let (x, y, z) = (mid(a, b), mid(b, c), mid(c, a));
+        out.extend([[a, x, z], [x, b, y], [z, y, c], [x, y, z]]);
     }
-    eprintln!("SKIPPED: {test}: there are no real shells at {}", directory.display());
-    None
+    (v, out)
 }
 
-/// The sample of the demo, kept in `directory`: `demo.h5`, `demo.cert`, `damaged.h5`, `damaged.cert`.
-pub fn demo(directory: &Path) {
-    let done = homeo(&[OsStr::new("demo"), OsStr::new("--out"), directory.as_os_str()]);
-    assert_eq!(code(&done), 0, "{}", stderr(&done));
-}
-
-pub fn path(directory: &Path, name: &str) -> String {
-    directory.join(name).to_str().unwrap().to_owned()
-}
-
-/// The published schema of a command's JSON.
-pub fn schema(name: &str) -> Value {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("schema").join(format!("{name}.schema.json"));
-    serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap()
-}
-
-/// Validates by the part of JSON Schema that our schemas use; a keyword outside it is an error.
-pub fn validate(value: &Value, schema: &Value, at: &str) -> Result<(), String> {
-    let keywords = schema.as_object().ok_or("a schema is an object")?;
-    for (keyword, rule) in keywords {
-        match keyword.as_str() {
-            "$schema" | "title" | "description" => {}
-            "type" => has_type(value, rule, at)?,
-            "enum" if rule.as_array().unwrap().contains(value) => {}
-            "enum" => return Err(format!("{at}: {value} is not one of {rule}")),
-            "minimum" if value.as_f64().is_none_or(|x| x >= rule.as_f64().unwrap()) => {}
-            "minimum" => return Err(format!("{at}: {value} is less than {rule}")),
-            "minItems" | "maxItems" => {
-                let (n, bound) = (value.as_array().map(Vec::len), rule.as_u64().unwrap() as usize);
-                if n.is_some_and(|n| if keyword == "minItems" { n < bound } else { n > bound }) {
-                    return Err(format!("{at}: {n:?} items, {keyword} {bound}"));
-                }
-            }
-            "items" => {
-                for (i, item) in value.as_array().into_iter().flatten().enumerate() {
-                    validate(item, rule, &format!("{at}[{i}]"))?;
-                }
-            }
-            "required" => {
-                for key in rule.as_array().unwrap() {
-                    if value.as_object().is_some_and(|o| !o.contains_key(key.as_str().unwrap())) {
-                        return Err(format!("{at}: {key} is missing"));
-                    }
-                }
-            }
-            "properties" | "additionalProperties" => members(value, keywords, at)?,
-            other => return Err(format!("{at}: the test does not know the keyword {other}")),
+/// A square of `n` by `n` cells from the origin, each of side 4, diagonals alternating when `alternate`.
+pub(crate) fn grid(n: u32, z: f64, alternate: bool) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let at = |i: u32, j: u32| i * (n + 1) + j;
+    let mut v = Vec::new();
+    for i in 0..=n {
+        for j in 0..=n {
+            v.push([4.0 * f64::from(i), 4.0 * f64::from(j), z]);
         }
     }
-    Ok(())
-}
-
-fn members(value: &Value, keywords: &serde_json::Map<String, Value>, at: &str) -> Result<(), String> {
-    let Some(object) = value.as_object() else { return Ok(()) };
-    for (key, member) in object {
-        let at = format!("{at}.{key}");
-        let known = keywords.get("properties").and_then(|p| p.get(key));
-        match (known, keywords.get("additionalProperties")) {
-            (Some(schema), _) => validate(member, schema, &at)?,
-            (None, Some(Value::Bool(false))) => return Err(format!("{at} is not in the schema")),
-            (None, Some(schema)) if schema.is_object() => validate(member, schema, &at)?,
-            _ => {}
+    let mut f = Vec::new();
+    for i in 0..n {
+        for j in 0..n {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            if alternate && (i + j) % 2 == 1 {
+                f.extend([[a, b, d], [b, c, d]]);
+            } else {
+                f.extend([[a, b, c], [a, c, d]]);
+            }
         }
     }
-    Ok(())
+    (v, f)
 }
 
-fn has_type(value: &Value, rule: &Value, at: &str) -> Result<(), String> {
-    let is = |name: &str| match name {
-        "null" => value.is_null(),
-        "boolean" => value.is_boolean(),
-        "string" => value.is_string(),
-        "array" => value.is_array(),
-        "object" => value.is_object(),
-        "number" => value.is_number(),
-        "integer" => value.is_i64() || value.is_u64(),
-        other => panic!("unknown type {other}"),
-    };
-    let good = match rule {
-        Value::String(name) => is(name),
-        Value::Array(names) => names.iter().any(|n| is(n.as_str().unwrap())),
-        _ => false,
-    };
-    if good { Ok(()) } else { Err(format!("{at}: {value} is no {rule}")) }
+/// A ring around the z axis that goes `turns` times around before it closes; eight steps a turn.
+pub(crate) fn ring(turns: u32, z: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let around = [
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [-1.0, 1.0],
+        [-1.0, 0.0],
+        [-1.0, -1.0],
+        [0.0, -1.0],
+        [1.0, -1.0],
+    ];
+    let n = 8 * turns;
+    let mut v = Vec::new();
+    for i in 0..n {
+        let [x, y] = around[i as usize % 8];
+        v.extend([[2.0 * x, 2.0 * y, z], [4.0 * x, 4.0 * y, z]]);
+    }
+    let f = (0..n).flat_map(|i| {
+        let j = (i + 1) % n;
+        let [inner, outer, outer_next, inner_next] = [2 * i, 2 * i + 1, 2 * j + 1, 2 * j];
+        [[inner, outer, outer_next], [inner, outer_next, inner_next]]
+    });
+    (v, f.collect())
 }
+
+fn case(
+    name: &'static str,
+    shell: Shell,
+    mesh: TriMesh,
+    refuted: &'static [Claim],
+    shows: &'static [&'static str],
+) -> Case {
+    Case { name, shell, mesh, options: Options::default(), refuted, shows }
+}
+
+/// Claims that fall with C2.
+const NO_SECTION: &[Claim] = &[Claim::Section, Claim::Bijection, Claim::SectionAllOrders, Claim::I2];
+const NO_SECTION_CROSSING: &[Claim] =
+    &[Claim::Section, Claim::Bijection, Claim::SectionAllOrders, Claim::Disjoint, Claim::I2];
+
+/// Two joined triangles, points `z` above the ground.
+fn pair(z: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
+    (vec![[0.0, 0.0, z], [4.0, 0.0, z], [4.0, 4.0, z], [0.0, 4.0, z]], vec![[0, 1, 2], [0, 2, 3]])
+}
+
+/// All cases.
+pub(crate) fn cases() -> Vec<Case> {
+    let mut out = certified();
+    out.extend(refuted_lifts());
+    out.extend(refuted_shells());
+    out
+}
+
+fn certified() -> Vec<Case> {
+    let (v0, f0) = octahedron();
+    let (v1, f1) = subdivided(&v0, &f0);
+    let (v2, f2) = subdivided(&v1, &f1);
+    let ball = radial(&v2, &f2, 0.875, 1.125);
+    let (p, q) = grid(2, 0.0, false);
+    let (tp, tq) = grid(2, 0.25, true);
+    let flat = extruded(&p, &q, DOWN, UP);
+    let listed =
+        Options { order: VertexOrder::from_list((0..9).rev().collect(), 9).unwrap(), ..Options::default() };
+    let only_c1 = Options { claims: vec![Claim::Positivity], ..Options::default() };
+    let only_c2 = Options { claims: vec![Claim::Section], ..Options::default() };
+    let (rv, rf) = ring(1, 0.0);
+    vec![
+        case("ball", ball.clone(), mesh(&v2, &f2), &[], &["d middle 0 0"]),
+        Case {
+            name: "ball-positivity",
+            options: only_c1,
+            ..case("", ball, mesh(&v2, &f2), &[], &["counts"])
+        },
+        case("patch", flat.clone(), mesh(&tp, &tq), &[], &["v 0 m0,t0", "sep "]),
+        Case {
+            name: "patch-order",
+            options: listed,
+            ..case("", flat.clone(), mesh(&tp, &tq), &[], &["order list 8 7"])
+        },
+        Case {
+            name: "patch-section",
+            options: only_c2,
+            ..case("", flat, mesh(&tp, &tq), &[], &["claim bijection"])
+        },
+        case("ring", extruded(&rv, &rf, DOWN, UP), mesh(&lifted(&rv, 0.25), &rf), &[], &["d mesh"]),
+        pinched(),
+    ]
+}
+
+/// A fan around a pinched vertex.
+fn pinched() -> Case {
+    let v = [
+        [0.0, 0.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [2.0, 4.0, 0.0],
+        [-2.0, 4.0, 0.0],
+        [-4.0, 0.0, 0.0],
+        [-2.0, -4.0, 0.0],
+        [2.0, -4.0, 0.0],
+    ];
+    let f: Vec<[u32; 3]> = (1..=6).map(|i| [0, i, i % 6 + 1]).collect();
+    let mut shell = extruded(&v, &f, DOWN, UP);
+    shell.bottom[0] = v[0];
+    shell.top[0] = v[0];
+    let mut points = v.to_vec();
+    points.iter_mut().skip(1).for_each(|p| p[2] = 0.25);
+    case("pinched", shell, mesh(&points, &f), &[], &["pinched 48 0"])
+}
+
+fn refuted_lifts() -> Vec<Case> {
+    let (m, f) = pair(0.0);
+    let flat = extruded(&m, &f, DOWN, UP);
+    let bent = |z: f64| {
+        let mut t = pair(0.25).0;
+        t[1][2] = z;
+        mesh(&t, &f)
+    };
+    // Over the square, with a vertex inside that is pulled over the opposite corner's edge.
+    let folded = mesh(
+        &[[0.0, 0.0, 0.25], [4.0, 0.0, 0.25], [4.0, 4.0, 0.25], [0.0, 4.0, 0.25], [5.0, 1.0, 0.5]],
+        &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
+    );
+    let mut inside = folded.clone();
+    inside.vertices[4] = [2.0, 1.0, 0.5];
+    inside.vertices.push([1.0, 2.0, 0.25]);
+    inside.faces = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 5], [0, 4, 5], [4, 3, 5]];
+    let mut overlap = inside.clone();
+    overlap.vertices[5] = [3.5, 2.0, 0.25];
+    let small = mesh(&[[1.0, 0.5, 0.25], [3.0, 1.0, 0.25], [3.0, 3.0, 0.25], [1.0, 3.0, 0.25]], &f);
+    let shifted = mesh(&[[0.0, 0.0, 9.0], [4.0, 0.0, 9.0], [4.0, 4.0, 9.0], [0.0, 4.0, 9.0]], &f);
+    let (r1, rf1) = ring(1, 0.0);
+    let (r2, rf2) = ring(2, 0.0);
+    let (t1, _) = ring(1, 0.25);
+    let (t2, _) = ring(2, 0.25);
+    let both = |a: &[Point], b: &[Point]| [a, b].concat();
+    let twice_f: Vec<[u32; 3]> = f.iter().copied().chain(f.iter().map(|t| t.map(|v| v + 4))).collect();
+    let far: Vec<Point> = m.iter().map(|p| [p[0] + 100.0, p[1], p[2]]).collect();
+    let far_shell = extruded(&both(&m, &far), &twice_f, DOWN, UP);
+    let two_in_one = mesh(&both(&pair(0.25).0, &pair(0.5).0), &twice_f);
+    let two = mesh(&both(&pair(0.25).0, &lifted(&far, 0.25)), &twice_f);
+    let (rv, rf) = ring(1, 0.25);
+    vec![
+        case("cap", flat.clone(), bent(2.0), NO_SECTION_CROSSING, &["cap"]),
+        case("touches-cap", flat.clone(), bent(1.0), NO_SECTION_CROSSING, &["cap"]),
+        case("outside", flat.clone(), shifted, NO_SECTION, &["root 0 1 1 1"]),
+        case("fold", flat.clone(), overlap, NO_SECTION, &["fold"]),
+        case("wall", flat.clone(), folded, NO_SECTION, &["root"]),
+        case("boundary", flat.clone(), small, NO_SECTION, &["boundary"]),
+        case("inside", flat.clone(), inside, &[], &["d mesh"]),
+        case("components", flat.clone(), two.clone(), NO_SECTION, &["topology components 2 1"]),
+        case("euler", flat, mesh(&rv, &rf), NO_SECTION, &["topology euler 0 1"]),
+        case("two-components", far_shell.clone(), two, &[], &["d middle"]),
+        case("lands", far_shell, two_in_one, NO_SECTION, &["lands"]),
+        case("twice", extruded(&r1, &rf1, DOWN, UP), mesh(&t2, &rf2), NO_SECTION_CROSSING, &["twice"]),
+        case("monodromy", extruded(&r2, &rf2, DOWN, UP), mesh(&t1, &rf1), NO_SECTION, &["monodromy"]),
+        case("winds-twice", extruded(&r2, &rf2, DOWN, UP), mesh(&t2, &rf2), &[Claim::Disjoint], &["cross"]),
+    ]
+}
+
+fn refuted_shells() -> Vec<Case> {
+    let (m, f) = pair(0.0);
+    let mut damaged = extruded(&m, &f, DOWN, UP);
+    damaged.top[1] = [4.0, 0.0, -0.5];
+    let mut partly = extruded(&m, &f, DOWN, UP);
+    partly.top[1] = [0.0, -4.0, 1.0];
+    let mut flat_tet = extruded(&m, &f, DOWN, UP);
+    flat_tet.top[1] = [4.0, 0.0, 0.0];
+    let tetra = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+    let tetra_f = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+    // THEORY section 3: every order with 0 < 1 passes, every order with 1 < 0 fails.
+    let middle = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [4.0, 8.0, 0.0], [4.0, -8.0, 0.0]];
+    let mut closed_tet = extruded(&middle, &[[0, 1, 2], [1, 0, 3]], [0.0, 0.0, -4.0], [0.0, -2.0, 4.0]);
+    closed_tet.top[0] = [0.0, 2.0, 4.0];
+    let mut t = middle.to_vec();
+    t.extend([[6.5, 0.125, 0.25], [7.5, 0.125, 0.25], [7.0, 0.25, 0.5]]);
+    let tf = [[4, 5, 6], [0, 1, 4], [1, 5, 4], [1, 2, 5], [2, 6, 5], [2, 4, 6], [0, 4, 2], [1, 0, 3]];
+    vec![
+        case("bad-tet", damaged, mesh(&m, &f), BAD_TET, &["tet "]),
+        case("bad-tet-unused", partly, mesh(&m, &f), BAD_UNUSED, &["tet "]),
+        case("flat-tet", flat_tet, mesh(&m, &f), BAD_TET, &["tet "]),
+        case(
+            "tetrahedron",
+            radial(&tetra, &tetra_f, 0.5, 1.5),
+            mesh(&tetra, &tetra_f),
+            &[Claim::I2],
+            &["contact "],
+        ),
+        case("closed-tet", closed_tet, mesh(&t, &tf), &[Claim::SectionAllOrders, Claim::I2], &["first "]),
+    ]
+}
+
+const BAD_TET: &[Claim] = &Claim::ALL;
+const BAD_UNUSED: &[Claim] = &[Claim::Positivity, Claim::SectionAllOrders, Claim::I2];

@@ -1,4 +1,5 @@
 use super::oracle::{self, P, Random};
+use crate::predicate::determinant::Integers;
 use crate::predicate::{
     Axis, Sign, Stage, StageCounts, collinear, dot_sign_exact, dot_sign_staged, normal_signs, orient2d_exact,
     orient2d_staged, orient3d, orient3d_exact, orient3d_staged,
@@ -247,4 +248,55 @@ fn not_finite_does_not_panic() {
         dot_sign_staged(&a, &b, &c, &d, &e);
         normal_signs(&a, &b, &c);
     }
+}
+
+/// Integers of exactly the widths at which the stages change over, with the largest differences.
+#[test]
+fn widths_at_the_limits_of_the_stages() {
+    for (bits, stage) in [
+        (60, Stage::Fixed),
+        (61, Stage::Fixed),
+        (62, Stage::Fixed),
+        (63, Stage::Fixed),
+        (64, Stage::Fixed),
+        (124, Stage::Fixed),
+        (125, Stage::Fixed),
+        (126, Stage::Fixed),
+        (127, Stage::Fixed),
+        (128, Stage::Fixed),
+        (316, Stage::Fixed),
+        (317, Stage::Fixed),
+        (318, Stage::Big),
+        (319, Stage::Big),
+    ] {
+        let large = 9_007_199_254_740_991.0 * power(bits - 53);
+        let mut undecided = StageCounts::default();
+        let counts = run(900 + u64::from(bits.unsigned_abs()), 3000, |random| {
+            let pool = [large, -large, large, -large, large.next_down(), -large.next_down(), 1.0, -1.0];
+            let mut p = five(random, |r| pool[usize::try_from(r.below(8)).expect("small")]);
+            // The least place of every axis is 1 and the largest value is there.
+            p[0] = [1.0, -1.0, 1.0];
+            p[1] = [large, -large, large];
+            let [a, b, c, d, _] = &p;
+            undecided.note(orient3d_staged(a, b, c, d));
+            p
+        });
+        assert!(undecided.filter < undecided.total(), "{bits}");
+        let (wide, narrow) = (counts[0].big, counts[0].fixed);
+        // Zero rows and columns are fixed whatever the width.
+        assert!(if stage == Stage::Big { wide > 0 } else { wide == 0 && narrow > 0 }, "{bits} {counts:?}");
+        // The determinants themselves, however the filter decides.
+        let mut random = Random(u64::from(bits.unsigned_abs()));
+        for _ in 0..3000 {
+            let pool = [large, -large, 1.0, -1.0];
+            let p = five(&mut random, |r| pool[usize::try_from(r.below(4)).expect("small")]);
+            assert_eq!(unfiltered(&p), oracle::orient3d(&p[0], &p[1], &p[2], &p[3]), "{bits} {p:?}");
+        }
+    }
+}
+
+/// [`orient3d`] without its filter.
+fn unfiltered(p: &[P; 5]) -> Sign {
+    let axis = |k: usize| [p[0][k], p[1][k], p[2][k], p[3][k]];
+    Integers::new([0, 1, 2].map(axis)).sign([(0, 1), (0, 2), (0, 3)]).0
 }
