@@ -3,6 +3,9 @@
 //! Exit codes: 0 certified (or: done, valid), 1 refuted (or: has defects), 2 usage or input error. `check` has the
 //! codes of `homeo-check`: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
 
+// Errors here end the process: their size does not matter.
+#![allow(clippy::result_large_err)]
+
 mod certify;
 mod check;
 mod convert;
@@ -13,6 +16,7 @@ mod inspect;
 mod mesh_info;
 mod output;
 mod progress;
+mod project;
 
 use std::process::ExitCode;
 
@@ -36,6 +40,8 @@ enum Command {
     Certify(certify::Args),
     /// Check a certificate against its input files (the same as `homeo-check`)
     Check(check::Args),
+    /// Project points along a shell, exactly
+    Project(project::Args),
     /// Facts about a shell file, and whether it is a valid input
     Inspect(inspect::Args),
     /// Convert meshes and shells between file formats
@@ -60,6 +66,7 @@ pub fn main() -> ExitCode {
         Command::Convert(args) => convert::run(&args),
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),
+        Command::Project(args) => project::run(args),
         Command::Inspect(args) => inspect::run(args),
         Command::MeshInfo(args) => mesh_info::run(args),
     };
