@@ -97,6 +97,8 @@ fn no_command_accepts_a_bad_file() {
         refused(&["certify", &good, "--order", bad, "-o", &out]);
         refused(&["inspect", bad, &json_argument]);
         refused(&["mesh-info", bad, &json_argument]);
+        refused(&["project", bad, "--point", "0", "0", "0", &json_argument]);
+        refused(&["project", &good, "--points", bad, &json_argument]);
         refused(&["convert", bad, &out_off]);
         refused(&["convert", bad, &vtu]);
         refused(&["convert", bad, "--to-meshes", &prefix]);

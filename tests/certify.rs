@@ -265,3 +265,26 @@ fn three_meshes_give_the_same_certificate_as_the_shell_file() {
     let mixed = homeo(&["certify", "--bottom", &b, "--middle", &top, "--top", &mesh]);
     assert_eq!(code(&mixed), 2);
 }
+
+#[test]
+fn an_interrupt_ends_with_exit_code_2_and_writes_nothing() {
+    let Some(directory) = shells("an interrupt") else { return };
+    let t = tempfile::tempdir().unwrap();
+    let cert = path(t.path(), "x.cert");
+    let file = path(&directory, "c_homer.obj.h5.init");
+    let child = std::process::Command::new(env!("CARGO_BIN_EXE_homeo"))
+        .args(["certify", &file, "-o", &cert, "--threads", "1"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    // It runs for seconds; the handler is there after milliseconds.
+    std::thread::sleep(std::time::Duration::from_millis(400));
+    let signalled =
+        std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(signalled.success());
+    let done = child.wait_with_output().unwrap();
+    assert_eq!((code(&done), stderr(&done).as_str()), (2, "homeo: interrupted; nothing was written\n"));
+    assert_eq!(stdout(&done), "");
+    assert!(!std::path::Path::new(&cert).exists());
+}

@@ -147,3 +147,37 @@ fn a_mesh_format_unknown_to_the_checker_is_converted_for_it() {
     assert!(stdout(&done).contains("homeo convert"), "{}", stdout(&done));
     assert_eq!(std::fs::read(&cert).unwrap(), std::fs::read(path(t.path(), "demo.cert")).unwrap());
 }
+
+#[test]
+fn project_gives_exact_images_of_a_known_prism() {
+    let t = tempfile::tempdir().unwrap();
+    let meshes = ["-1", "0", "1"].map(|z| {
+        let file = path(t.path(), &format!("z{z}.off"));
+        std::fs::write(&file, format!("OFF\n3 1 0\n0 0 {z}\n1 0 {z}\n0 1 {z}\n3 0 1 2\n")).unwrap();
+        file
+    });
+    let points = path(t.path(), "points.txt");
+    std::fs::write(&points, "# two points\n0.25 0.5 0.75\n\n 5 5 5 \n").unwrap();
+    let [b, m, top] = &meshes;
+    let shell = ["project", "--bottom", b, "--middle", m, "--top", top];
+    let inside = homeo(&[&shell[..], &["--json", "--point", "0.125", "0.25", "-0.5"]].concat());
+    let report: Value = serde_json::from_slice(&inside.stdout).unwrap();
+    validate(&report, &schema("project"), "project").unwrap();
+    let image = &report["points"][0]["images"][0];
+    // In a straight unit prism the image is the point itself.
+    assert_eq!(image["weights"], serde_json::json!(["5/8", "1/8", "1/4"]));
+    assert_eq!((&image["height"], &image["prism"]), (&serde_json::json!("-1/2"), &serde_json::json!(0)));
+    assert_eq!(code(&inside), 0);
+    let outside = homeo(&[&shell[..], &["--points", &points]].concat());
+    assert_eq!(code(&outside), 1);
+    assert!(stdout(&outside).contains("exactly 1/4 1/4 1/2, height 3/4"), "{}", stdout(&outside));
+    assert!(stdout(&outside).contains("outside of the shell"));
+    for bad in ["0 0", "0 0 0 0", "0 0 nan", "a b c"] {
+        std::fs::write(&points, format!("0 0 0\n{bad}\n")).unwrap();
+        let done = homeo(&[&shell[..], &["--points", &points]].concat());
+        assert_eq!((code(&done), stderr(&done).lines().count()), (2, 1), "{bad}");
+        assert!(stderr(&done).contains("line 2"), "{}", stderr(&done));
+    }
+    let nan = homeo(&[&shell[..], &["--point", "nan", "0", "0"]].concat());
+    assert_eq!((code(&nan), stderr(&nan).lines().count()), (2, 1));
+}
