@@ -1,4 +1,5 @@
 //! Every command, given files that are no input: one line on standard error, exit code 2, no panic, nothing written.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // helpers outside of #[test] functions
 
 mod command;
 
@@ -65,7 +66,7 @@ fn unreadable(directory: &Path) -> Option<String> {
     use std::os::unix::fs::PermissionsExt as _;
     let file = path(directory, "unreadable.h5");
     std::fs::write(&file, "x").unwrap();
-    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0)).unwrap();
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o000)).unwrap();
     if std::fs::read(&file).is_ok() {
         eprintln!("SKIPPED: the unreadable file: this user may read everything");
         return None;

@@ -1,4 +1,5 @@
 //! `homeo certify` and `homeo check` as a user runs them.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // helpers outside of #[test] functions
 
 mod command;
 

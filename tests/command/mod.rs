@@ -7,24 +7,24 @@ use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
 
-pub fn homeo<S: AsRef<OsStr>>(arguments: &[S]) -> Output {
+pub(crate) fn homeo<S: AsRef<OsStr>>(arguments: &[S]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_homeo")).args(arguments).stdin(Stdio::null()).output().unwrap()
 }
 
-pub fn code(output: &Output) -> i32 {
+pub(crate) fn code(output: &Output) -> i32 {
     output.status.code().expect("ended by a signal")
 }
 
-pub fn stdout(output: &Output) -> String {
+pub(crate) fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-pub fn stderr(output: &Output) -> String {
+pub(crate) fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
 /// The directory of real shells; `None`, and a loud word, where it is absent.
-pub fn shells(test: &str) -> Option<PathBuf> {
+pub(crate) fn shells(test: &str) -> Option<PathBuf> {
     let root = std::env::var_os("HOMEO_DATA")
         .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data"), PathBuf::from);
     let directory = root.join("thirdparty/shells");
@@ -36,23 +36,23 @@ pub fn shells(test: &str) -> Option<PathBuf> {
 }
 
 /// The sample of the demo, kept in `directory`: `demo.h5`, `demo.cert`, `damaged.h5`, `damaged.cert`.
-pub fn demo(directory: &Path) {
+pub(crate) fn demo(directory: &Path) {
     let done = homeo(&[OsStr::new("demo"), OsStr::new("--out"), directory.as_os_str()]);
     assert_eq!(code(&done), 0, "{}", stderr(&done));
 }
 
-pub fn path(directory: &Path, name: &str) -> String {
+pub(crate) fn path(directory: &Path, name: &str) -> String {
     directory.join(name).to_str().unwrap().to_owned()
 }
 
 /// The published schema of a command's JSON.
-pub fn schema(name: &str) -> Value {
+pub(crate) fn schema(name: &str) -> Value {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("schema").join(format!("{name}.schema.json"));
     serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap()
 }
 
 /// Validates by the part of JSON Schema that our schemas use; a keyword outside it is an error.
-pub fn validate(value: &Value, schema: &Value, at: &str) -> Result<(), String> {
+pub(crate) fn validate(value: &Value, schema: &Value, at: &str) -> Result<(), String> {
     let keywords = schema.as_object().ok_or("a schema is an object")?;
     for (keyword, rule) in keywords {
         match keyword.as_str() {
