@@ -96,10 +96,10 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
         .map_err(|e| named(e, &loaded, &args.order))?;
     let mut report = report(&outcome, &claims, &options.order, &loaded);
     let checked = if args.no_check { None } else { Some(self_check(&outcome.certificate, &loaded)?) };
-    progress.finish();
     if progress.interrupted() {
         return Err(CliError::Interrupted);
     }
+    drop(progress);
     report.checked = checked.as_ref().map(|_| "valid".to_owned());
     if let Some(path) = outputs.certificate {
         output::replace(path, outcome.certificate.as_bytes())?;

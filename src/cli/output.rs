@@ -111,7 +111,12 @@ fn parent(path: &Path) -> &Path {
 }
 
 fn same_file(a: &Path, b: &Path) -> bool {
-    let (Ok(there), Ok(other)) = (fs::metadata(a), fs::metadata(b)) else { return a == b };
+    let (Ok(there), Ok(other)) = (fs::metadata(a), fs::metadata(b)) else {
+        // One of them does not exist yet: the same name in the same directory.
+        let place =
+            |path: &Path| fs::canonicalize(parent(path)).ok().zip(path.file_name().map(ToOwned::to_owned));
+        return a == b || place(a).is_some_and(|a| Some(a) == place(b));
+    };
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt as _;

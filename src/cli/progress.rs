@@ -34,9 +34,11 @@ impl Progress {
     pub(super) fn interrupted(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
+}
 
-    /// Clears the line.
-    pub(super) fn finish(&self) {
+impl Drop for Progress {
+    /// Clears the line, also before an error is printed.
+    fn drop(&mut self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }
