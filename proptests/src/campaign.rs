@@ -14,6 +14,9 @@ use crate::recipe::{Case, Recipe, recipes};
 /// What happened how often.
 pub type Tally = BTreeMap<String, u64>;
 
+/// Cases between two looks at the clock.
+const BATCH: u32 = 64;
+
 /// Runs a property on random recipes: on `HOMEO_CASES` many when that is set, else for `seconds`.
 ///
 /// # Panics
@@ -29,9 +32,10 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
     };
     let tally = std::cell::RefCell::new(Tally::new());
     let over = || deadline.is_some_and(|d| Instant::now() > d);
-    let mut runner = TestRunner::new(Config { cases: 64, ..config.clone() });
     let mut done = 0;
     while done < config.cases && !over() {
+        // A runner counts its successes over all its runs: a new one for each batch.
+        let mut runner = TestRunner::new(Config { cases: BATCH, ..config.clone() });
         let result = runner.run(&recipes(), |recipe| {
             let notes = property(&recipe, &recipe.build())
                 .map_err(proptest::test_runner::TestCaseError::fail)?;
@@ -43,7 +47,7 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
             let proptest::test_runner::TestError::Fail(reason, recipe) = error else { panic!("{error}") };
             panic!("{reason}\n{recipe:?}\n{:#?}", recipe.build());
         }
-        done += 64;
+        done += BATCH;
     }
     eprintln!("{done} cases: {:?}", tally.borrow());
 }
