@@ -73,6 +73,7 @@ fn matched(targets: &[HashSet<usize>], taken: &mut HashSet<usize>) -> bool {
     })
 }
 
+/// The pieces that face up, each once.
 fn all_pieces(world: &mut World<'_>, selected: &[usize]) -> Vec<Piece> {
     let mut known: HashMap<(usize, Vec<usize>), usize> = HashMap::new();
     let mut out: Vec<Piece> = Vec::new();
@@ -90,6 +91,8 @@ fn all_pieces(world: &mut World<'_>, selected: &[usize]) -> Vec<Piece> {
             }
         }
     }
+    // A section has no other pieces. (Without them nothing runs along a pillar, around which tets may wind twice.)
+    out.retain(|piece| piece.faces_up);
     out
 }
 
@@ -150,7 +153,7 @@ fn judge(world: &World<'_>, pieces: &[Piece], part: &[usize], mesh_part: &[usize
         }
     }
     let corners = chosen.iter().flat_map(|p| &p.corners);
-    if chosen.iter().any(|p| !p.faces_up) || corners.into_iter().any(|&c| world.on_cap(c)) {
+    if corners.into_iter().any(|&c| world.on_cap(c)) {
         return Lift::Not;
     }
     for (a, b) in chosen.iter().flat_map(sides).filter(|(a, b)| !at.contains_key(&(*b, *a))) {

@@ -192,6 +192,13 @@ impl<'a> World<'a> {
     /// each with its coordinates in the tet.
     #[must_use]
     pub fn meet(&self, f: usize, t: usize) -> Vec<(Weights, Weights)> {
+        let beyond = |k: usize| {
+            let (mine, theirs) = (self.triangle(f).map(|p| &p[k]), self.tet(t).map(|p| &p[k]));
+            mine.iter().max() < theirs.iter().min() || mine.iter().min() > theirs.iter().max()
+        };
+        if (0..3).any(beyond) {
+            return Vec::new();
+        }
         let forms = self.forms(f, t);
         let mut polygon = simplex(3);
         for form in &forms {
