@@ -52,9 +52,27 @@ pub fn cross(a: &[IBig], b: &[IBig]) -> Point {
     [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
 }
 
+/// The point in machine integers below 2^37, where it fits: only to save time.
+fn small(p: &Point) -> Option<[i128; 3]> {
+    let mut out = [0; 3];
+    for (slot, x) in out.iter_mut().zip(p) {
+        let x = i64::try_from(x).ok().filter(|x| x.unsigned_abs() < 1 << 37)?;
+        *slot = i128::from(x);
+    }
+    Some(out)
+}
+
 /// `det[b-a, c-a, d-a]`.
 #[must_use]
 pub fn orient(a: &Point, b: &Point, c: &Point, d: &Point) -> IBig {
+    if let (Some(a), Some(b), Some(c), Some(d)) = (small(a), small(b), small(c), small(d)) {
+        let [u, v, w] = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        // Differences below 2^38, so six products below 2^114.
+        let x = u[1] * v[2] - u[2] * v[1];
+        let y = u[2] * v[0] - u[0] * v[2];
+        let z = u[0] * v[1] - u[1] * v[0];
+        return IBig::from(x * w[0] + y * w[1] + z * w[2]);
+    }
     dot(&cross(&minus(b, a), &minus(c, a)), &minus(d, a))
 }
 
