@@ -19,7 +19,7 @@ fn topology() {
     case.mutant("no-section", "2 1", "3 1", "wrong-value");
     case.mutant("no-section", "components 2 1", "euler 1 1", "wrong-value");
     case.mutant("no-section", "components 2 1", "euler 2 -1", "wrong-value");
-    case.mutant("no-section", "components 2 1", "euler 2 1", "wrong-value"); // control below
+    refuted(&[INSIDE, far].concat(), &[[0, 1, 2], [3, 4, 5]], "topology euler 2 1").accept();
     refuted(&INSIDE, &[[0, 1, 2]], "topology euler 1 1").reject("not-refuted");
 }
 
@@ -30,7 +30,7 @@ fn negative_tet() {
     case.accept();
     case.mutant("no-section", "-1", "-3", "wrong-value");
     // Not in the decomposition by vertex id.
-    case.mutant("no-section", "b0,b1,b2,m2", "b0,b1,b2,m0", "unknown-tet");
+    case.mutant("no-section", "b0,b1,b2,m2", "b0,m0,b1,b2", "unknown-tet");
     case.order = "order list 2 1 0".into();
     case.reject("unknown-tet");
     case.set("no-section", "tet 0 b0,m0,b1,b2 -1");
@@ -49,12 +49,7 @@ fn fold_and_boundary() {
     case.mutant("no-section", "branch m0,m1,m2,t2\nstart m0,m1,m2,t2\nfold", "", "wrong-branches");
     case.mutant("no-section", "branch m0,m1,m2,t2", "branch m0,m1,m2", "wrong-branches");
     case.mutant("no-section", "start m0,m1,m2,t2", "start m0,m1,t1,t2", "wrong-step");
-    case.mutant(
-        "no-section",
-        "start m0,m1,m2,t2",
-        "start m0,t1,m2,t2".replace("t1,m2", "m2,t2,t3").as_str(),
-        "unknown-tet",
-    );
+    case.mutant("no-section", "start m0,m1,m2,t2", "start m0,b1,m2,t2", "unknown-tet");
     refuted(&INSIDE, &[[0, 1, 2]], witness).reject("not-refuted");
     let edge = "root 0 1 1 0\nbranch m0,m1,m2,t2\nstart m0,m1,m2,t2\nboundary";
     // The point (3/8, 1/4, 1/4) lies in the face between the first two tets.
@@ -109,7 +104,7 @@ fn no_order() {
     case.claims =
         vec![("positivity", true), ("section", true), ("bijection", true), ("section-all-orders", false)];
     case.blocks.truncate(1);
-    case.blocks.push(("no-order", vec!["first 2".into(), "tet 0 b0,b1,b2,m1 1".into()]));
+    case.blocks.push(("no-order", vec!["first 2".into(), "tet 0 b0,b1,m1,b2 1".into()]));
     case.reject("not-refuted");
     case.mutant("no-order", "first 2", "first 1", "unknown-tet");
     case.mutant("no-order", "first 2", "first 1 0 2", "unknown-tet");

@@ -44,11 +44,7 @@ fn carriers_of_all_ranks() {
     case.accept();
     case.mutant("overlay", "v 3 m0,m1,m2,t2", "v 3 m0,m1,m2", "no-point");
     case.mutant("overlay", "v 3 m0,m1,m2,t2", "v 3 m0,m1,t1,t2", "outside-carrier");
-    // The middle of an edge as 2 + 2, and a triangle as a polygon.
-    let mut case = section(one_prism());
-    case.points.push([1.0, 0.0, -0.0]);
-    case.set("overlay", "v 0 m0\nv 1 m1\nv 2 m2\nv 1,2 m1,t2\nc 0 1 2\nd mesh 0 0\nd middle 0 0");
-    case.reject("shell-carrier");
+    case.mutant("overlay", "v 1 m1", "v 1,2 m1,t2", "outside-carrier");
 }
 
 #[test]
@@ -69,13 +65,12 @@ fn cells() {
         "v 0 m1\nv 1 m0\nv 2 m2\nv 3 m3\nc 0 1 2\nc 0 3 1\nc 0 2 3\nc 1 3 2\nd mesh 0 0\nd middle 0 0",
     );
     swapped.reject("area-middle");
-    // An isolated vertex: on the mesh edge 0 1 and on the middle edge 0 1.
+    // A second component of the mesh, whose corner is inside a tet but in no cell.
     let mut one = section(one_prism());
-    one.points[1] = [1.0, 0.0, 0.0];
-    one.set("overlay", "v 0 m0\nv 1 m1\nv 2 m2\nv 3 m0,t1\nc 0 1 2\nd mesh 0 0\nd middle 0 0");
-    one.points.push([0.5, 0.0, 0.5]);
-    one.triangles = vec![[0, 1, 2], [0, 3, 1]];
-    one.reject("isolated");
+    one.points.extend([[0.25, 0.25, 0.125], [0.5, 0.25, 0.125], [0.25, 0.5, 0.125]]);
+    one.triangles.push([3, 4, 5]);
+    one.reject("degree-component");
+    one.mutant("overlay", "v 2 m2", "v 2 m2\nv 3 m0,m1,m2,t2", "isolated");
     // The names of a cell from two tets.
     let mut two = section(one_prism());
     two.points = vec![[0.0, 0.0, 0.5], [1.0, 0.0, -0.5], [0.0, 1.0, 0.0]];

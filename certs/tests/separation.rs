@@ -40,8 +40,8 @@ fn mesh_refuted() {
     mesh(&points, false, "cross 0 1 2 1 1 1 1 0").accept();
     mesh(&points, false, "cross 0 1 4 2 2 3 3 0").accept();
     mesh(&points, false, "cross 0 1 2 1 1 1 2 0").reject("wrong-point");
-    let mut shared = mesh(&points, false, "cross 0 1 1 0 0 1 0 0");
-    shared.triangles[1] = [0, 4, 5];
+    let mut shared = mesh(&points, false, "cross 0 1 1 0 0 0 1 0");
+    shared.triangles[1] = [1, 0, 5];
     shared.reject("not-refuted");
 }
 
