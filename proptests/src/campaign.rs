@@ -31,12 +31,17 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
         ..Config::default()
     };
     let tally = std::cell::RefCell::new(Tally::new());
+    let counted = std::cell::RefCell::new(0u64);
     let over = || deadline.is_some_and(|d| Instant::now() > d);
     let mut done = 0;
     while done < config.cases && !over() {
         // A runner counts its successes over all its runs: a new one for each batch.
         let mut runner = TestRunner::new(Config { cases: BATCH, ..config.clone() });
         let result = runner.run(&recipes(), |recipe| {
+            if over() {
+                return Ok(());
+            }
+            *counted.borrow_mut() += 1;
             let notes = property(&recipe, &recipe.build())
                 .map_err(proptest::test_runner::TestCaseError::fail)?;
             let mut tally = tally.borrow_mut();
@@ -49,7 +54,8 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
         }
         done += BATCH;
     }
-    eprintln!("{done} cases: {:?}", tally.borrow());
+    let counted = counted.borrow();
+    eprintln!("{counted} cases: {:?}", tally.borrow());
 }
 
 /// Certifies all claims; `Ok(None)` where the input is refused.

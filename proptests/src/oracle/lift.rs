@@ -152,8 +152,9 @@ fn judge(world: &World<'_>, pieces: &[Piece], part: &[usize], mesh_part: &[usize
             return Lift::Not;
         }
     }
-    let corners = chosen.iter().flat_map(|p| &p.corners);
-    if corners.into_iter().any(|&c| world.on_cap(c)) {
+    // Of all subsets of a cap that a piece can touch, only the edge between two pinched vertices shows at no corner.
+    let touches = |(a, b): (usize, usize)| world.on_cap(&[a]) || world.on_cap(&[a, b]);
+    if chosen.iter().flat_map(sides).any(touches) {
         return Lift::Not;
     }
     for (a, b) in chosen.iter().flat_map(sides).filter(|(a, b)| !at.contains_key(&(*b, *a))) {

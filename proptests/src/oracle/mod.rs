@@ -283,15 +283,18 @@ impl<'a> World<'a> {
         self.shell.faces[prism].map(on).to_vec()
     }
 
-    /// Does the point lie on bottom or top, a pinched vertex by itself excepted?
+    /// Does the point, or the open segment between two points, lie on bottom or top, a pinched vertex by itself
+    /// excepted?
     #[must_use]
-    pub fn on_cap(&self, corner: usize) -> bool {
-        let names = &self.corners[corner].1;
+    pub fn on_cap(&self, corners: &[usize]) -> bool {
+        let mut names: Vec<Code> = corners.iter().flat_map(|&c| self.corners[c].1.iter().map(|(n, _)| *n)).collect();
+        names.sort_unstable();
+        names.dedup();
         let pinched = |c: Code| self.pinched[(c / 3) as usize];
-        if names.len() == 1 && pinched(names[0].0) {
+        if names.len() == 1 && pinched(names[0]) {
             return false;
         }
-        [0, 2].into_iter().any(|layer| names.iter().all(|(c, _)| c % 3 == layer || pinched(*c)))
+        [0, 2].into_iter().any(|layer| names.iter().all(|&c| c % 3 == layer || pinched(c)))
     }
 
     /// Does the segment between two points lie in the mesh's boundary?
