@@ -22,7 +22,8 @@ const BATCH: u32 = 64;
 /// # Panics
 /// With the smallest recipe found that fails, and its case.
 pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>, String>) {
-    let wanted: Option<u32> = env::var("HOMEO_CASES").ok().map(|n| n.parse().expect("HOMEO_CASES is a number"));
+    let wanted: Option<u32> =
+        env::var("HOMEO_CASES").ok().map(|n| n.parse().expect("HOMEO_CASES is a number"));
     let deadline = wanted.is_none().then(|| Instant::now() + Duration::from_secs(seconds));
     let config = Config {
         cases: wanted.unwrap_or(10_000_000),
@@ -42,8 +43,8 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
                 return Ok(());
             }
             *counted.borrow_mut() += 1;
-            let notes = property(&recipe, &recipe.build())
-                .map_err(proptest::test_runner::TestCaseError::fail)?;
+            let notes =
+                property(&recipe, &recipe.build()).map_err(proptest::test_runner::TestCaseError::fail)?;
             let mut tally = tally.borrow_mut();
             notes.into_iter().for_each(|n| *tally.entry(n).or_default() += 1);
             Ok(())
@@ -98,7 +99,8 @@ fn first_vertices(outcome: &Outcome, case: &Case) -> Option<Vec<usize>> {
 /// What differs.
 pub fn compare(case: &Case) -> Result<Vec<String>, String> {
     let mut notes = Vec::new();
-    let valid = homeo::shell::validate::validate(&case.shell).is_ok() && homeo::mesh::check(&case.mesh).is_ok();
+    let valid =
+        homeo::shell::validate::validate(&case.shell).is_ok() && homeo::mesh::check(&case.mesh).is_ok();
     if !valid {
         return Ok(vec!["refused".into()]);
     }
@@ -107,13 +109,19 @@ pub fn compare(case: &Case) -> Result<Vec<String>, String> {
     let Some(outcome) = certified(case, positive)? else { return Ok(vec!["branched".into()]) };
     let mut same = |what: &str, claimed: bool, truth: bool| {
         notes.push(format!("{what} {}", if truth { "holds" } else { "fails" }));
-        if claimed == truth { Ok(()) } else { Err(format!("{what}: the certifier says {claimed}, the oracle {truth}")) }
+        if claimed == truth {
+            Ok(())
+        } else {
+            Err(format!("{what}: the certifier says {claimed}, the oracle {truth}"))
+        }
     };
     same("C1", holds(&outcome, Claim::Positivity), positive)?;
     let embedded = world.mesh_embedded();
     let apart = [world.cap_disjoint(0), world.cap_disjoint(2)];
     let parts = outcome.claims.iter().find(|c| c.claim == Claim::Disjoint).map_or(&[][..], |c| &c.parts);
-    for (part, (name, truth)) in parts.iter().zip([("mesh", embedded), ("bottom", apart[0]), ("top", apart[1])]) {
+    for (part, (name, truth)) in
+        parts.iter().zip([("mesh", embedded), ("bottom", apart[0]), ("top", apart[1])])
+    {
         assert_eq!(part.about, name);
         same(&format!("C6 {name}"), part.verdict == Verdict::Certified, truth)?;
     }

@@ -161,9 +161,9 @@ pub fn recipes() -> impl Strategy<Value = Recipe> {
     let edge = prop_oneof![5 => Just(None), 1 => (moves(), any::<bool>()).prop_map(Some)];
     let edit_list = prop::collection::vec(edits(), 0..4);
     let order = prop_oneof![1 => Just(0u16), 1 => any::<u16>()];
-    (shape, pinched, moves_of, edge, edit_list, order).prop_map(|(shape, pinched, moves, edge, edits, order)| {
-        Recipe { shape, pinched, moves, edge, edits, order }
-    })
+    (shape, pinched, moves_of, edge, edit_list, order).prop_map(
+        |(shape, pinched, moves, edge, edits, order)| Recipe { shape, pinched, moves, edge, edits, order },
+    )
 }
 
 impl Arbitrary for Recipe {

@@ -42,14 +42,8 @@ fn square(shift: Point) -> Shell {
 }
 
 fn annulus() -> Shell {
-    let points = vec![
-        [8., 0., 0.],
-        [-4., 8., 0.],
-        [-4., -8., 0.],
-        [4., 0., 0.],
-        [-2., 4., 0.],
-        [-2., -4., 0.],
-    ];
+    let points =
+        vec![[8., 0., 0.], [-4., 8., 0.], [-4., -8., 0.], [4., 0., 0.], [-2., 4., 0.], [-2., -4., 0.]];
     let faces = (0..3u32).flat_map(|i| {
         let j = (i + 1) % 3;
         [[i, j, 3 + j], [i, 3 + j, 3 + i]]
@@ -85,7 +79,9 @@ fn torus() -> Shell {
     let ring = [[1., 0.], [-0.5, 1.], [-0.5, -1.]];
     let section = |s: f64| {
         let around = [[s, 0.], [-s / 2., s], [-s / 2., -s]];
-        ring.iter().flat_map(|d| around.map(|[r, z]| [d[0] * (16. + r), d[1] * (16. + r), z])).collect::<Vec<Point>>()
+        ring.iter()
+            .flat_map(|d| around.map(|[r, z]| [d[0] * (16. + r), d[1] * (16. + r), z]))
+            .collect::<Vec<Point>>()
     };
     let mut faces = Vec::new();
     for i in 0..3u32 {
@@ -112,7 +108,8 @@ fn seven() -> Shell {
     .into_iter()
     .map(|p: Point| p.map(|x| 8. * x))
     .collect();
-    let faces = (0..7u32).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).collect();
+    let faces =
+        (0..7u32).flat_map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).collect();
     upright(points, faces, 1.0)
 }
 

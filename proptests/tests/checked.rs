@@ -13,7 +13,8 @@ fn verdicts(outcome: &Outcome) -> BTreeMap<String, bool> {
     let mut out = BTreeMap::new();
     for c in &outcome.claims {
         if c.claim == Claim::Disjoint {
-            let parts = c.parts.iter().map(|p| (format!("disjoint-{}", p.about), p.verdict == Verdict::Certified));
+            let parts =
+                c.parts.iter().map(|p| (format!("disjoint-{}", p.about), p.verdict == Verdict::Certified));
             out.extend(parts);
         } else {
             out.insert(c.claim.name().to_owned(), c.verdict == Verdict::Certified);
@@ -25,7 +26,10 @@ fn verdicts(outcome: &Outcome) -> BTreeMap<String, bool> {
 fn accepted(outcome: &Outcome, case: &Case) -> Result<BTreeMap<String, bool>, String> {
     let answer = homeo_certs::check(outcome.certificate.as_bytes(), &inputs(case));
     if answer.exit != 0 {
-        return Err(format!("rejected: {} {} : {}\n{}", answer.status, answer.code, answer.message, outcome.certificate));
+        return Err(format!(
+            "rejected: {} {} : {}\n{}",
+            answer.status, answer.code, answer.message, outcome.certificate
+        ));
     }
     let read: BTreeMap<String, bool> = answer.claims.into_iter().collect();
     if read != verdicts(outcome) {

@@ -38,7 +38,11 @@ fn a_decomposition_that_folds_over_itself() {
     let value = |t: [usize; 4]| orient(&grid[t[0]], &grid[t[1]], &grid[t[2]], &grid[t[3]]);
     let unit = dashu_int::IBig::from(729);
     let sizes = tets.map(|t| value(t) / &unit);
-    assert_eq!(sizes, [14, -3, 3].map(dashu_int::IBig::from), "the middle tet is listed in its negative order");
+    assert_eq!(
+        sizes,
+        [14, -3, 3].map(dashu_int::IBig::from),
+        "the middle tet is listed in its negative order"
+    );
     let point = on_grid(&[[14., 10., -2.], [9., 9., 9.]])[0].clone();
     let point = {
         // Undo the grid of the two points alone: they are integers.
@@ -56,7 +60,8 @@ fn a_decomposition_that_folds_over_itself() {
     }
     // A top slab of such a shell: C1 must see it although the order u < v < w is positive.
     let below = lo.map(|p| [p[0], p[1], p[2] - 64.]);
-    let shell = Shell { bottom: below.to_vec(), middle: lo.to_vec(), top: hi.to_vec(), faces: vec![[0, 1, 2]] };
+    let shell =
+        Shell { bottom: below.to_vec(), middle: lo.to_vec(), top: hi.to_vec(), faces: vec![[0, 1, 2]] };
     let case = case(shell.clone(), middle(&shell));
     assert!(!holds(&decide(&case), Claim::Positivity));
     compare(&case).unwrap();
@@ -86,8 +91,7 @@ fn closed_tet_case() -> Case {
     let bottom = mid.iter().map(|p| add(*p, [0., 0., -4.])).collect();
     let mut vertices = mid.clone();
     vertices.extend([[6.5, 0.125, 0.25], [7.5, 0.125, 0.25], [7., 0.25, 0.5]]);
-    let faces =
-        vec![[4, 5, 6], [0, 1, 4], [1, 5, 4], [1, 2, 5], [2, 6, 5], [2, 4, 6], [0, 4, 2], [1, 0, 3]];
+    let faces = vec![[4, 5, 6], [0, 1, 4], [1, 5, 4], [1, 2, 5], [2, 6, 5], [2, 4, 6], [0, 4, 2], [1, 0, 3]];
     let shell = Shell { bottom, middle: mid, top, faces: vec![[0, 1, 2], [1, 0, 3]] };
     case(shell, TriMesh { vertices, faces })
 }
@@ -105,7 +109,8 @@ fn c3_counts_pieces_in_closed_tets() {
     let mut world = World::new(&case.shell, &case.mesh);
     let mut orders = vec![vec![]];
     for v in ids(4) {
-        let longer = |o: &Vec<u32>| (0..=o.len()).map(|i| [&o[..i], &[v], &o[i..]].concat()).collect::<Vec<_>>();
+        let longer =
+            |o: &Vec<u32>| (0..=o.len()).map(|i| [&o[..i], &[v], &o[i..]].concat()).collect::<Vec<_>>();
         orders = orders.iter().flat_map(longer).collect();
     }
     assert_eq!(orders.len(), 24);
@@ -131,10 +136,13 @@ fn regular_tetrahedron_has_c3_but_not_i2() {
     let scale = |s: f64| mid.iter().map(|p: &[f64; 3]| p.map(|x| x * s)).collect();
     let faces = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
     for (inner, outer) in [(0.5, 1.5), (0.875, 1.125)] {
-        let shell = Shell { bottom: scale(inner), middle: mid.clone(), top: scale(outer), faces: faces.clone() };
+        let shell =
+            Shell { bottom: scale(inner), middle: mid.clone(), top: scale(outer), faces: faces.clone() };
         let case = case(shell.clone(), middle(&shell));
         let outcome = decide(&case);
-        for claim in [Claim::Positivity, Claim::Section, Claim::Bijection, Claim::SectionAllOrders, Claim::Disjoint] {
+        for claim in
+            [Claim::Positivity, Claim::Section, Claim::Bijection, Claim::SectionAllOrders, Claim::Disjoint]
+        {
             assert!(holds(&outcome, claim), "{claim}");
         }
         assert!(!holds(&outcome, Claim::I2));

@@ -17,7 +17,8 @@ fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let biased = i32::try_from((bits >> 52) & 0x7ff).unwrap();
     let fraction = i64::try_from(bits & ((1 << 52) - 1)).unwrap();
-    let (mantissa, exponent) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
+    let (mantissa, exponent) =
+        if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) };
     let zeros = mantissa.trailing_zeros();
     let mantissa = if x < 0.0 { -(mantissa >> zeros) } else { mantissa >> zeros };
     (mantissa, exponent + i32::try_from(zeros).unwrap())
@@ -29,7 +30,11 @@ pub fn on_grid(points: &[[f64; 3]]) -> Vec<Point> {
     let low = points.iter().flatten().map(|x| parts(*x).1).min().unwrap_or(0);
     let integer = |x: f64| {
         let (mantissa, exponent) = parts(x);
-        if mantissa == 0 { IBig::ZERO } else { IBig::from(mantissa) << usize::try_from(exponent - low).unwrap() }
+        if mantissa == 0 {
+            IBig::ZERO
+        } else {
+            IBig::from(mantissa) << usize::try_from(exponent - low).unwrap()
+        }
     };
     points.iter().map(|p| p.map(integer)).collect()
 }

@@ -138,7 +138,13 @@ fn connected(pieces: &[Piece]) -> Vec<Vec<usize>> {
     out
 }
 
-fn judge(world: &World<'_>, pieces: &[Piece], part: &[usize], mesh_part: &[usize], middle_part: &[usize]) -> Lift {
+fn judge(
+    world: &World<'_>,
+    pieces: &[Piece],
+    part: &[usize],
+    mesh_part: &[usize],
+    middle_part: &[usize],
+) -> Lift {
     let chosen: Vec<Piece> = part.iter().map(|&p| pieces[p].clone()).collect();
     let at = by_side(&chosen);
     if at.values().any(|list| list.len() > 1) {

@@ -103,8 +103,11 @@ impl<'a> World<'a> {
     #[must_use]
     pub fn new(shell: &'a Shell, mesh: &'a TriMesh) -> Self {
         let n = shell.middle.len();
-        let all: Vec<[f64; 3]> =
-            [&shell.bottom, &shell.middle, &shell.top, &mesh.vertices].into_iter().flatten().copied().collect();
+        let all: Vec<[f64; 3]> = [&shell.bottom, &shell.middle, &shell.top, &mesh.vertices]
+            .into_iter()
+            .flatten()
+            .copied()
+            .collect();
         let grid = on_grid(&all);
         let layer = |k: usize| grid[k * n..(k + 1) * n].to_vec();
         let shell_points = [layer(0), layer(1), layer(2)];
@@ -237,7 +240,8 @@ impl<'a> World<'a> {
         let corners = polygon
             .iter()
             .map(|(w, x)| {
-                let mut mesh: Vec<(u32, IBig)> = self.mesh.faces[f].into_iter().zip(w.iter().cloned()).collect();
+                let mut mesh: Vec<(u32, IBig)> =
+                    self.mesh.faces[f].into_iter().zip(w.iter().cloned()).collect();
                 let mut shell: Vec<(Code, IBig)> = names.into_iter().zip(x.iter().cloned()).collect();
                 mesh.retain(|(_, w)| *w != IBig::ZERO);
                 shell.retain(|(_, w)| *w != IBig::ZERO);
@@ -272,14 +276,17 @@ impl<'a> World<'a> {
     /// The point as weights on a mesh triangle's corners.
     #[must_use]
     pub fn in_face(&self, corner: usize, f: usize) -> Weights {
-        let find = |v: u32| self.corners[corner].0.iter().find(|(u, _)| *u == v).map_or(IBig::ZERO, |(_, w)| w.clone());
+        let find = |v: u32| {
+            self.corners[corner].0.iter().find(|(u, _)| *u == v).map_or(IBig::ZERO, |(_, w)| w.clone())
+        };
         self.mesh.faces[f].map(find).to_vec()
     }
 
     /// The point's projection as weights on a prism's corners.
     #[must_use]
     pub fn in_prism(&self, corner: usize, prism: usize) -> Weights {
-        let on = |v: u32| self.corners[corner].1.iter().filter(|(c, _)| c / 3 == v).map(|(_, w)| w.clone()).sum();
+        let on =
+            |v: u32| self.corners[corner].1.iter().filter(|(c, _)| c / 3 == v).map(|(_, w)| w.clone()).sum();
         self.shell.faces[prism].map(on).to_vec()
     }
 
@@ -287,7 +294,8 @@ impl<'a> World<'a> {
     /// excepted?
     #[must_use]
     pub fn on_cap(&self, corners: &[usize]) -> bool {
-        let mut names: Vec<Code> = corners.iter().flat_map(|&c| self.corners[c].1.iter().map(|(n, _)| *n)).collect();
+        let mut names: Vec<Code> =
+            corners.iter().flat_map(|&c| self.corners[c].1.iter().map(|(n, _)| *n)).collect();
         names.sort_unstable();
         names.dedup();
         let pinched = |c: Code| self.pinched[(c / 3) as usize];
@@ -300,13 +308,19 @@ impl<'a> World<'a> {
     /// Does the segment between two points lie in the mesh's boundary?
     #[must_use]
     pub fn on_mesh_boundary(&self, a: usize, b: usize) -> bool {
-        Self::within(&self.mesh_edges, [a, b].into_iter().flat_map(|c| self.corners[c].0.iter().map(|(v, _)| *v)))
+        Self::within(
+            &self.mesh_edges,
+            [a, b].into_iter().flat_map(|c| self.corners[c].0.iter().map(|(v, _)| *v)),
+        )
     }
 
     /// Does it lie in the shell's boundary walls?
     #[must_use]
     pub fn on_shell_boundary(&self, a: usize, b: usize) -> bool {
-        Self::within(&self.shell_edges, [a, b].into_iter().flat_map(|c| self.corners[c].1.iter().map(|(n, _)| n / 3)))
+        Self::within(
+            &self.shell_edges,
+            [a, b].into_iter().flat_map(|c| self.corners[c].1.iter().map(|(n, _)| n / 3)),
+        )
     }
 }
 

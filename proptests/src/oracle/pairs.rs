@@ -42,7 +42,8 @@ impl World<'_> {
     fn pair_embedded(&self, i: usize, j: usize) -> bool {
         let common: BTreeSet<u32> =
             self.mesh.faces[i].into_iter().filter(|v| self.mesh.faces[j].contains(v)).collect();
-        let shared = |w: &Weights| (0..3).all(|k| !positive(&w[k]) || common.contains(&self.mesh.faces[j][k]));
+        let shared =
+            |w: &Weights| (0..3).all(|k| !positive(&w[k]) || common.contains(&self.mesh.faces[j][k]));
         meet(self.triangle(i), self.triangle(j)).iter().all(shared)
     }
 
@@ -50,12 +51,14 @@ impl World<'_> {
     #[must_use]
     pub fn cap_disjoint(&self, layer: u32) -> bool {
         let prisms = &self.shell.faces;
-        (0..self.mesh.faces.len()).all(|f| prisms.iter().all(|corners| self.pair_disjoint(f, *corners, layer)))
+        (0..self.mesh.faces.len())
+            .all(|f| prisms.iter().all(|corners| self.pair_disjoint(f, *corners, layer)))
     }
 
     fn pair_disjoint(&self, f: usize, corners: [u32; 3], layer: u32) -> bool {
         let cap = corners.map(|v| self.at(3 * v + layer));
-        let mut pinches = corners.into_iter().filter(|&v| self.pinched[v as usize]).map(|v| self.at(3 * v + 1));
+        let mut pinches =
+            corners.into_iter().filter(|&v| self.pinched[v as usize]).map(|v| self.at(3 * v + 1));
         let common: Vec<(Point, IBig)> = meet(self.triangle(f), cap).iter().map(|w| place(cap, w)).collect();
         common.is_empty() || pinches.any(|p| common.iter().all(|x| is_at(x, p)))
     }
