@@ -197,8 +197,8 @@ impl Arbitrary for Recipe {
         push(&|r| r.edge = None);
         push(&|r| r.order = 0);
         push(&|r| r.pinched.clear());
-        (0..self.moves.len()).for_each(|i| push(&|r| drop(r.moves.remove(i))));
-        (0..self.edits.len()).for_each(|i| push(&|r| drop(r.edits.remove(i))));
+        (0..self.moves.len()).for_each(|i| push(&|r| r.moves.truncate(i)));
+        (0..self.edits.len()).for_each(|i| push(&|r| r.edits.truncate(i)));
         Box::new(out.into_iter())
     }
 }

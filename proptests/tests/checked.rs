@@ -1,5 +1,6 @@
 //! Every certificate and witness of random cases is accepted by the independent checker, and no certificate is accepted
 //! for the opposite verdict.
+#![allow(clippy::unwrap_used)]
 
 use std::collections::BTreeMap;
 

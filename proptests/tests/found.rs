@@ -1,4 +1,5 @@
 //! Minimal cases of disagreements that random cases found.
+#![allow(clippy::unwrap_used)]
 
 use homeo::certify::Claim;
 use homeo::mesh::TriMesh;

@@ -1,4 +1,5 @@
 //! Changes of the input that must not change a verdict.
+#![allow(clippy::unwrap_used)]
 
 use homeo::certify::{Claim, Options, Silent, certify};
 use homeo::mesh::TriMesh;

@@ -1,4 +1,5 @@
 //! The test cases that THEORY names.
+#![allow(clippy::unwrap_used)]
 
 use homeo::certify::{Claim, Options, Outcome, Silent, VertexOrder, certify};
 use homeo::mesh::TriMesh;

@@ -1,4 +1,6 @@
 //! The certifier's verdicts against the oracle's, on random shells and meshes in degenerate position.
+// quickcheck wants values.
+#![allow(clippy::needless_pass_by_value)]
 
 use homeo_proptests::campaign::{compare, run};
 use homeo_proptests::recipe::Recipe;
