@@ -21,6 +21,9 @@ pub(crate) struct Shell {
 
 /// Reads the one to four files; the mesh that an HDF5 shell holds is read only when it is needed.
 pub(crate) fn read(files: &[Vec<u8>], need_mesh: bool) -> Res<(Shell, Option<Mesh>)> {
+    if let Some(i) = files.iter().position(|file| file.len() > 1 << 30) {
+        return malformed("input", format!("input file {} is larger than 2^30 bytes", i + 1));
+    }
     let named = |i: usize| mesh(&files[i]).map_err(|why| format!("input file {}: {why}", i + 1));
     let result = match files.len() {
         1 | 2 => hdf5::shell(&files[0], files.len() == 1 && need_mesh)
@@ -71,7 +74,7 @@ pub(crate) fn validate(points: &[Bits], triangles: &[[usize; 3]]) -> Result<(), 
 }
 
 fn is_space(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t'..=b'\r')
+    matches!(byte, b' ' | b'\t' | b'\n' | b'\x0c' | b'\r')
 }
 
 fn tokens(text: &[u8]) -> impl Iterator<Item = &[u8]> {
