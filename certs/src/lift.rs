@@ -93,10 +93,10 @@ impl<'a> Lift<'a> {
 
     /// The barycentric coordinates of a point in a tet that is not flat, times a positive number.
     fn coordinates(&self, at: &At, tet: &Tet) -> [BigInt; 4] {
-        let corners = self.world.corners(at.triangle).into_iter().zip(&at.weights);
-        let used: Vec<_> = corners.filter(|(_, w)| sgn(w) != 0).collect();
-        let each: Vec<_> = used.iter().map(|(x, w)| (self.world.coordinates(tet.names, *x), w)).collect();
-        std::array::from_fn(|i| each.iter().map(|(values, w)| &values[i] * **w).sum())
+        let sign = self.world.orientation(tet.names);
+        let corners = || self.world.corners(at.triangle).into_iter().zip(&at.weights);
+        let part = |i: usize, (x, w)| self.world.det(self.world.replaced(tet.names, i, x)) * w * sign;
+        std::array::from_fn(|i| corners().filter(|(_, w)| sgn(w) != 0).map(|corner| part(i, corner)).sum())
     }
 
     fn tet(&self, names: &Names4, line: usize) -> Res<&'a Tet> {

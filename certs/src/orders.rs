@@ -25,6 +25,11 @@ pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
             if world.rises(f, prism) {
                 continue;
             }
+            let steep = world.tets[prism].iter().filter(|t| world.sign(world.dot(f, t.pillar)) <= 0);
+            let steep: Vec<_> = steep.filter(|tet| crosses(world, f, tet.names)).collect();
+            if steep.is_empty() {
+                continue;
+            }
             let mut pieces = overlay.pieces(world, cell);
             if let Some((u, w)) = side {
                 let walls = [0, 1].map(|slab| wall(world, u, w, slab));
@@ -32,7 +37,7 @@ pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
                     walls.iter().flat_map(|wall| pieces.iter().map(|piece| clip(world, f, *wall, piece)));
                 pieces = parts.collect();
             }
-            for tet in world.tets[prism].iter().filter(|t| world.sign(world.dot(f, t.pillar)) <= 0) {
+            for tet in steep {
                 let bad = pieces.iter().any(|piece| has_area(&clip(world, f, tet.names, piece)));
                 ensure!(!bad, "all-orders", "line {}: prism {prism}, tet {}", cell.line, show(&tet.names));
             }
@@ -46,18 +51,32 @@ fn wall(world: &World, u: usize, w: usize, slab: usize) -> [usize; 4] {
     [world.name(u, slab), world.name(w, slab), world.name(w, slab + 1), world.name(u, slab + 1)]
 }
 
-/// A convex piece of triangle `f` (homogeneous coordinates in `f`) cut with a closed tet; nothing if the tet is flat.
+/// Whether a tet may meet the plane of `f` in a set of positive area: it has points on both sides, or a face in it.
+fn crosses(world: &World, f: usize, tet: [usize; 4]) -> bool {
+    let sides = tet.map(|x| world.side(world.corners(f), x));
+    sides.contains(&1) && sides.contains(&-1) || sides.iter().filter(|s| **s == 0).count() == 3
+}
+
+/// A convex piece of triangle `f` (homogeneous coordinates in `f`) cut with a closed tet; nothing if the tet is flat, or
+/// if all of `f` is on the closed outer side of a face (where no area remains).
 fn clip(world: &World, f: usize, tet: [usize; 4], piece: &[Vec3]) -> Vec<Vec3> {
-    if world.side([tet[0], tet[1], tet[2]], tet[3]) == 0 {
-        return Vec::new();
+    let orientation = world.orientation(tet);
+    let mut piece = piece.to_vec();
+    for face in 0..4 {
+        let at = world.corners(f).map(|x| world.replaced(tet, face, x));
+        let sides = at.map(|rows| world.sign(rows) * orientation);
+        if sides.iter().all(|s| *s <= 0) || piece.is_empty() {
+            return Vec::new();
+        }
+        if sides.contains(&-1) {
+            piece = cut(&piece, &at.map(|rows| world.det(rows) * orientation));
+        }
     }
-    let at = world.corners(f).map(|x| world.coordinates(tet, x));
-    let planes = (0..4).map(|face| at.each_ref().map(|values| &values[face]));
-    planes.fold(piece.to_vec(), |piece, plane| cut(&piece, plane))
+    piece
 }
 
 /// The part of a convex polygon where the linear function with these corner values is not negative.
-fn cut(piece: &[Vec3], plane: [&BigInt; 3]) -> Vec<Vec3> {
+fn cut(piece: &[Vec3], plane: &Vec3) -> Vec<Vec3> {
     let height = |x: &Vec3| -> BigInt { x.iter().zip(plane).map(|(a, b)| a * b).sum() };
     let mut out = Vec::new();
     for (x, y) in piece.iter().zip(piece.iter().cycle().skip(1)) {

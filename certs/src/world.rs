@@ -96,14 +96,17 @@ impl World {
         if [a, b, c].contains(&x) { 0 } else { self.sign([[a, b], [a, c], [a, x]]) }
     }
 
-    /// The barycentric coordinates of `x` times the absolute value of the determinant of the points.
-    pub(crate) fn coordinates(&self, points: [usize; 4], x: usize) -> [BigInt; 4] {
+    /// The sign of the determinant of four points.
+    pub(crate) fn orientation(&self, [a, b, c, d]: [usize; 4]) -> i32 {
+        self.side([a, b, c], d)
+    }
+
+    /// Differences whose determinant is that of the points with the `i`-th one replaced by `x`: the barycentric
+    /// coordinate of `x` at the `i`-th point, times the determinant of the points.
+    pub(crate) fn replaced(&self, mut points: [usize; 4], i: usize, x: usize) -> [[usize; 2]; 3] {
+        points[i] = x;
         let [a, b, c, d] = points;
-        let sign = self.side([a, b, c], d);
-        std::array::from_fn(|i| {
-            let [a, b, c, d] = std::array::from_fn(|j| if i == j { x } else { points[j] });
-            self.det([[a, b], [a, c], [a, d]]) * sign
-        })
+        [[a, b], [a, c], [a, d]]
     }
 
     /// Differences of points whose determinant is the dot of triangle `f` with a pillar half.
