@@ -10,13 +10,12 @@ use crate::separate::carrier;
 use crate::tets::{Selected, Tet};
 use crate::world::World;
 use num_bigint::BigInt;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use num_integer::Integer;
+use std::collections::{BTreeMap, BTreeSet};
 
 struct Lift<'a> {
     world: &'a World,
     selected: &'a Selected,
-    /// Whether an edge has an injective star.
-    stars: HashMap<[usize; 2], bool>,
 }
 
 /// A point of `T` in a tet, with its carrier there.
@@ -26,7 +25,7 @@ struct Station<'a> {
     carrier: Vec<usize>,
 }
 
-/// A weighting of ids, without zeros.
+/// Weights of ids.
 type Weighting = BTreeMap<usize, BigInt>;
 
 pub(crate) fn check(world: &World, selected: &Selected, witness: &Witness) -> Res {
@@ -39,7 +38,7 @@ pub(crate) fn check(world: &World, selected: &Selected, witness: &Witness) -> Re
             Ok(())
         }
         Witness::Tet(fact) => not_positive(world, fact, &selected.tets),
-        Witness::Roots(roots) => Lift { world, selected, stars: HashMap::new() }.roots(roots),
+        Witness::Roots(roots) => Lift { world, selected }.roots(roots),
     }
 }
 
@@ -47,14 +46,14 @@ pub(crate) fn check(world: &World, selected: &Selected, witness: &Witness) -> Re
 pub(crate) fn not_positive(world: &World, fact: &TetFact, tets: &[Tet]) -> Res {
     let TetFact { line, prism, tet, value } = fact;
     let tet = tets.iter().find(|t| t.prism == *prism && t.names == *tet);
-    let det = world.det(tet.ok_or_else(|| bad!("unknown-tet", "line {line}"))?.rows);
+    let det = world.det(tet.ok_or_else(|| bad!("unknown-tet", "line {line}"))?.rows());
     ensure!(world.value(&det) == *value, "wrong-value", "line {line}");
     ensure!(sgn(&det) <= 0, "not-refuted", "line {line}");
     Ok(())
 }
 
 impl<'a> Lift<'a> {
-    fn roots(&mut self, roots: &'a [Root]) -> Res {
+    fn roots(&self, roots: &'a [Root]) -> Res {
         let (mut from, mut landed) = (BTreeSet::new(), BTreeSet::new());
         for root in roots {
             let line = root.at.line;
@@ -93,7 +92,7 @@ impl<'a> Lift<'a> {
 
     /// The barycentric coordinates of a point in a tet that is not flat, times a positive number.
     fn coordinates(&self, at: &At, tet: &Tet) -> [BigInt; 4] {
-        let sign = self.world.orientation(tet.names);
+        let sign = self.world.sign(self.world.replaced(tet.names, 0, tet.names[0]));
         let corners = || self.world.corners(at.triangle).into_iter().zip(&at.weights);
         let part = |i: usize, (x, w)| self.world.det(self.world.replaced(tet.names, i, x)) * w * sign;
         std::array::from_fn(|i| corners().filter(|(_, w)| sgn(w) != 0).map(|corner| part(i, corner)).sum())
@@ -105,7 +104,7 @@ impl<'a> Lift<'a> {
     }
 
     /// Follows a leg to its last station.
-    fn walk(&mut self, root: &'a Root, branch: &Branch, leg: &'a Leg) -> Res<Station<'a>> {
+    fn walk(&self, root: &'a Root, branch: &Branch, leg: &'a Leg) -> Res<Station<'a>> {
         let tet = self.tet(&leg.start, leg.line)?;
         let holds = branch.names.iter().all(|n| leg.start.contains(n));
         ensure!(tet.positive && holds, "wrong-step", "line {}", leg.line);
@@ -127,19 +126,10 @@ impl<'a> Lift<'a> {
         carrier(&self.world.corners(at.triangle), &at.weights)
     }
 
-    /// Whether a path through a point with this carrier continues in one way only.
-    fn passable(&mut self, carrier: &[usize]) -> bool {
+    /// Whether a path through a point with this carrier continues in one way only: around an edge, the open wedges of
+    /// the tets must be disjoint.
+    fn passable(&self, carrier: &[usize]) -> bool {
         let &[a, b] = carrier else { return carrier.len() > 2 };
-        let known = self.stars.get(&[a, b]).copied();
-        known.unwrap_or_else(|| {
-            let injective = self.injective(a, b);
-            self.stars.insert([a, b], injective);
-            injective
-        })
-    }
-
-    /// Whether the open wedges of the tets around an edge are disjoint.
-    fn injective(&self, a: usize, b: usize) -> bool {
         let tets: Vec<&Tet> = self.selected.holding(&[a, b]).map(|t| &self.selected.tets[t]).collect();
         let turn = |x: usize, y: usize| self.world.sign([[a, b], [a, x], [a, y]]);
         let wedge = |tet: &&Tet| -> Option<(usize, usize)> {
@@ -165,43 +155,35 @@ impl<'a> Lift<'a> {
         let steep = || world.sign(world.dot(end.at.triangle, end.tet.pillar)) <= 0;
         let plane = world.corners(end.at.triangle);
         let flat = || end.carrier.len() == 3 && end.carrier.iter().all(|&n| world.side(plane, n) == 0);
+        let at_one_point = || ends.iter().all(|end| self.on_mesh(end) == self.on_mesh(&ends[0]));
         match (reason, ends) {
             ("cap", _) => world.in_cap(&end.carrier),
             ("wall", _) => wall && !rim,
             ("boundary", _) => rim && !wall,
             ("fold", _) => on_mesh.len() == 3 && steep() && (end.carrier.len() == 4 || flat()),
             ("lands", _) => true,
-            ("twice", [one, two]) => {
-                !equal(&self.on_mesh(one), &self.on_mesh(two))
-                    && equal(&self.projected(one), &self.projected(two))
-            }
-            ("monodromy", [one, two]) => {
-                equal(&self.on_mesh(one), &self.on_mesh(two)) && one.carrier != two.carrier
-            }
+            ("twice", [one, two]) => !at_one_point() && self.projected(one) == self.projected(two),
+            ("monodromy", [one, two]) => at_one_point() && one.carrier != two.carrier,
             _ => false,
         }
     }
 
     fn on_mesh(&self, station: &Station<'_>) -> Weighting {
-        sums(self.world.mesh.triangles[station.at.triangle], &station.at.weights)
+        primitive(self.world.mesh.triangles[station.at.triangle], &station.at.weights)
     }
 
     fn projected(&self, station: &Station<'_>) -> Weighting {
-        sums(station.tet.names.map(|n| n / 3), &self.coordinates(station.at, station.tet))
+        primitive(station.tet.names.map(|n| n / 3), &self.coordinates(station.at, station.tet))
     }
 }
 
-/// Weights summed by id, without zeros.
-fn sums<const N: usize>(ids: [usize; N], weights: &[BigInt]) -> Weighting {
+/// Weights summed by id, without zeros, divided by their greatest common divisor: equal for equal points.
+fn primitive<const N: usize>(ids: [usize; N], weights: &[BigInt]) -> Weighting {
     let mut map = BTreeMap::new();
     for (id, weight) in ids.into_iter().zip(weights).filter(|x| sgn(x.1) != 0) {
-        *map.entry(id).or_default() += weight;
+        *map.entry(id).or_insert(BigInt::ZERO) += weight;
     }
+    let divisor = map.values().fold(BigInt::ZERO, |divisor, weight| divisor.gcd(weight));
+    map.values_mut().for_each(|weight| *weight /= &divisor);
     map
-}
-
-/// Whether two weightings are equal after normalisation.
-fn equal(a: &Weighting, b: &Weighting) -> bool {
-    let (x, y): (BigInt, BigInt) = (a.values().sum(), b.values().sum());
-    a.len() == b.len() && a.iter().zip(b).all(|((i, p), (j, q))| i == j && p * &y == q * &x)
 }

@@ -1,13 +1,13 @@
 //! `section-all-orders` certified (FORMAT section 3.3).
 
 use crate::number::{Vec3, det, sgn};
-use crate::overlay::{Overlay, Rim};
+use crate::overlay::Overlay;
 use crate::world::World;
 use crate::{Res, complex, each, show};
 use num_bigint::BigInt;
 
 pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
-    for Rim { line, ids, names } in &overlay.boundary {
+    for (line, ids, names) in &overlay.boundary {
         let middle = names.iter().all(|n| n % 3 == 1);
         let flat = |slab: usize| {
             let &[u, w] = ids.as_slice() else { return false };
@@ -30,7 +30,7 @@ pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
             if steep.is_empty() {
                 continue;
             }
-            let mut pieces = overlay.pieces(world, cell);
+            let mut pieces = overlay.pieces(cell);
             if let Some((u, w)) = side {
                 let walls = [0, 1].map(|slab| wall(world, u, w, slab));
                 let parts =
@@ -60,7 +60,7 @@ fn crosses(world: &World, f: usize, tet: [usize; 4]) -> bool {
 /// A convex piece of triangle `f` (homogeneous coordinates in `f`) cut with a closed tet; nothing if the tet is flat, or
 /// if all of `f` is on the closed outer side of a face (where no area remains).
 fn clip(world: &World, f: usize, tet: [usize; 4], piece: &[Vec3]) -> Vec<Vec3> {
-    let orientation = world.orientation(tet);
+    let orientation = world.side([tet[0], tet[1], tet[2]], tet[3]);
     let mut piece = piece.to_vec();
     for face in 0..4 {
         let at = world.corners(f).map(|x| world.replaced(tet, face, x));

@@ -8,7 +8,7 @@ use crate::world::World;
 use crate::{Res, all, show};
 use num_bigint::BigInt;
 use std::collections::HashSet;
-use std::ops::AddAssign;
+use std::iter::Sum;
 
 /// Barycentric coordinates times a positive number: of which vertices, exactly, leading bits.
 struct Weights {
@@ -29,21 +29,19 @@ pub(crate) struct Cell<'a> {
     pub(crate) line: usize,
     corners: &'a [usize],
     pub(crate) home: [usize; 2],
-}
-
-/// An edge of `K` without its reverse: a cell's line, the vertex ids of its ends' names, the names.
-pub(crate) struct Rim {
-    pub(crate) line: usize,
-    pub(crate) ids: Vec<usize>,
-    pub(crate) names: Vec<usize>,
+    /// The corners of both.
+    within: [[usize; 3]; 2],
 }
 
 /// A checked overlay.
 pub(crate) struct Overlay<'a> {
     corners: Vec<Corner<'a>>,
     pub(crate) cells: Vec<Cell<'a>>,
+    /// The edges of `K` without their reverse: a cell's line, the vertex ids of the ends' names, the names.
     pub(crate) boundary: Vec<Rim>,
 }
+
+type Rim = (usize, Vec<usize>, Vec<usize>);
 
 /// The mesh, the shell.
 const SIDES: [usize; 2] = [0, 1];
@@ -79,26 +77,27 @@ impl<'a> Overlay<'a> {
             triangle.ok_or_else(|| bad!("cell-mesh", "line {line}: not one triangle of the mesh"))?;
         let prism = prism.filter(|_| selected.holding(&names).next().is_some());
         let prism = prism.ok_or_else(|| bad!("cell-shell", "line {line}: not one tet that fills a prism"))?;
-        let cell = Cell { line, corners, home: [triangle, prism] };
+        let within = [world.mesh.triangles[triangle], world.shell.triangles[prism]];
+        let cell = Cell { line, corners, home: [triangle, prism], within };
         for (i, fan) in fans(corners).enumerate() {
             for (side, code) in [(0, "area-mesh"), (1, "area-middle")] {
-                let home = home(world, &cell, side);
-                let near = fan.map(|x| self.corners[x].weights[side].row(home, |w| &w.near));
-                let exact = || sgn(&det(&self.rows(side, home, fan)));
+                let weights = fan.map(|x| &self.corners[x].weights[side]);
+                let near = weights.map(|w| w.row(cell.within[side], &w.near));
+                let exact = || sgn(&det(&self.rows(side, &cell, fan)));
                 ensure!(sign_near(&near).unwrap_or_else(exact) > 0, code, "line {line}: fan triangle {i}");
             }
         }
         Ok(cell)
     }
 
-    /// The coordinates of three corners in a triangle or prism with these corners.
-    fn rows(&self, side: usize, home: [usize; 3], fan: [usize; 3]) -> [Vec3; 3] {
-        fan.map(|x| self.corners[x].weights[side].row(home, |w| &w.exact))
+    /// The coordinates of three corners in a cell's triangle or prism.
+    fn rows(&self, side: usize, cell: &Cell<'_>, fan: [usize; 3]) -> [Vec3; 3] {
+        fan.map(|x| &self.corners[x].weights[side]).map(|w| w.row(cell.within[side], &w.exact))
     }
 
     /// The fan triangles of a cell as coordinates in its mesh triangle.
-    pub(crate) fn pieces(&self, world: &World, cell: &Cell<'_>) -> Vec<Vec<Vec3>> {
-        fans(cell.corners).map(|fan| self.rows(0, home(world, cell, 0), fan).to_vec()).collect()
+    pub(crate) fn pieces(&self, cell: &Cell<'_>) -> Vec<Vec<Vec3>> {
+        fans(cell.corners).map(|fan| self.rows(0, cell, fan).to_vec()).collect()
     }
 
     fn check_edges(&self, world: &World) -> Res<Vec<Rim>> {
@@ -115,7 +114,7 @@ impl<'a> Overlay<'a> {
                 SIDES.map(|side| distinct(ends.map(|c| c.weights[side].ids.clone()).concat()));
             let on_both = world.mesh.on_boundary(on_mesh) && world.shell.on_boundary(ids.iter().copied());
             ensure!(on_both, "boundary", "line {line}: corners {a} {b}");
-            boundary.push(Rim { line, ids, names: ends.map(|c| c.names).concat() });
+            boundary.push((line, ids, ends.map(|c| c.names).concat()));
         }
         Ok(boundary)
     }
@@ -124,24 +123,19 @@ impl<'a> Overlay<'a> {
         for side in SIDES {
             let complex = [&world.mesh, &world.shell][side];
             let named = facts.degree[side].iter().map(|d| complex.part[self.cells[d.1].home[side]]);
-            ensure!(
-                named.eq(0..complex.parts),
-                "degree-component",
-                "the `d` lines do not name each component"
-            );
+            ensure!(named.eq(0..complex.parts), "degree-component", "not one `d` line a component");
         }
         for (side, &(line, named, fan)) in
             SIDES.iter().flat_map(|&s| facts.degree[s].iter().map(move |d| (s, d)))
         {
             let named = &self.cells[named];
-            let home = home(world, named, side);
             let Some(triangle) = fans(named.corners).nth(fan) else { continue };
             let [a, b, c] = triangle.map(|x| self.corners[x].weights[side].exact.iter().sum::<BigInt>());
-            let (rows, scales) = (self.rows(side, home, triangle), [&b * &c, &a * &c, &a * &b]);
+            let (rows, scales) = (self.rows(side, named, triangle), [&b * &c, &a * &c, &a * &b]);
             let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &rows[j][i] * &scales[j]).sum());
             for other in self.cells.iter().filter(|c| c.home[side] == named.home[side]) {
                 for (i, triangle) in fans(other.corners).enumerate() {
-                    let [a, b, c] = &self.rows(side, home, triangle);
+                    let [a, b, c] = &self.rows(side, named, triangle);
                     let holds =
                         [(a, b), (b, c), (c, a)].iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
                     let itself = (other.line, i) == (named.line, fan);
@@ -151,11 +145,6 @@ impl<'a> Overlay<'a> {
         }
         Ok(())
     }
-}
-
-/// The corners of the triangle or prism that a cell lies in.
-fn home(world: &World, cell: &Cell<'_>, side: usize) -> [usize; 3] {
-    [&world.mesh, &world.shell][side].triangles[cell.home[side]]
 }
 
 /// The triangles `(c0, ci, ci+1)` that a cell stands for.
@@ -168,18 +157,10 @@ impl Weights {
         Self { ids: ids.collect(), near: leading(exact.iter()).collect(), exact }
     }
 
-    /// The coordinates, exact or near ones, summed by the corner that they are on. At most two of a sum are not zero.
-    fn row<T: Default + for<'b> AddAssign<&'b T>>(
-        &self,
-        corners: [usize; 3],
-        of: fn(&Self) -> &Vec<T>,
-    ) -> [T; 3] {
-        corners.map(|corner| {
-            let mut sum = T::default();
-            let here = self.ids.iter().zip(of(self)).filter(|(id, _)| **id == corner);
-            here.for_each(|(_, value)| sum += value);
-            sum
-        })
+    /// Values, exact or near ones, summed by the corner that they are on. At most two of a sum are not zero.
+    fn row<'b, T: Sum<&'b T>>(&self, corners: [usize; 3], values: &'b [T]) -> [T; 3] {
+        let on = |corner| self.ids.iter().zip(values).filter(move |(id, _)| **id == corner);
+        corners.map(|corner| on(corner).map(|(_, value)| value).sum())
     }
 }
 
@@ -195,10 +176,8 @@ fn meet<'a>(world: &World, line: usize, ids: &'a [usize], names: &'a [usize]) ->
     let inside = on_mesh.iter().chain(&on_shell).all(|x| sgn(x) > 0);
     ensure!(inside, "outside-carrier", "line {line}: the point is not inside its carriers");
     let pillars = names.iter().map(|n| n / 3);
-    Ok(Corner {
-        names,
-        weights: [Weights::new(ids.iter().copied(), on_mesh), Weights::new(pillars, on_shell)],
-    })
+    let weights = [Weights::new(ids.iter().copied(), on_mesh), Weights::new(pillars, on_shell)];
+    Ok(Corner { names, weights })
 }
 
 /// The coefficients `c` with `sum c = 0` and `sum c x = 0`, when they are unique up to a factor: each is a minor of

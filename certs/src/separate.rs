@@ -127,15 +127,13 @@ pub(crate) fn disjoint(world: &World, other: Other, lines: &[Separation]) -> Res
             // In the order of names; a pair of triangles has at most one line.
             for (line, names) in &listed {
                 let at = format!("line {}: triangle {i} and {j}", line.line);
-                if let Some(missed) = open.iter().find(|b| **b < &names[..]) {
-                    ensure!(false, "missing-separation", "before {at}: {}", show(missed));
-                }
+                let missed = open.first().is_some_and(|b| **b < names[..]);
+                ensure!(!missed, "missing-separation", "before {at}: {}", show(open[0]));
                 ensure!(open.first() == Some(&&names[..]), "superfluous", "{at}");
                 ensure!(pair(names).separated_by(&line.planes), "not-separated", "{at}");
                 open.remove(0);
             }
-            let names = || open.first().map_or(String::new(), |b| show(b));
-            ensure!(open.is_empty(), "missing-separation", "triangle {i} and {j}: {}", names());
+            ensure!(open.is_empty(), "missing-separation", "triangle {i} and {j}: {}", show(open[0]));
         }
         Ok(())
     })

@@ -9,8 +9,8 @@ pub(crate) struct Tet {
     pub(crate) prism: usize,
     /// Its names, ascending.
     pub(crate) names: Names4,
-    /// Differences of points whose determinant is the tet's.
-    pub(crate) rows: [[usize; 2]; 3],
+    /// Whether they are listed with the opposite of the tet's orientation.
+    odd: bool,
     /// The names at the lower and the upper end of the pillar half that it carries.
     pub(crate) pillar: [usize; 2],
     /// Bit `i` is set if it is a tet of the `i`-th of [`ORDERS`].
@@ -22,37 +22,39 @@ pub(crate) struct Tet {
 /// The orders of three corners, even permutations first.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
 
+impl Tet {
+    /// Differences of points whose determinant is the tet's.
+    pub(crate) fn rows(&self) -> [[usize; 2]; 3] {
+        let [a, b, c, d] = self.names;
+        if self.odd { [[a, c], [a, b], [a, d]] } else { [[a, b], [a, c], [a, d]] }
+    }
+}
+
 /// The different ones of a prism's 24 tets, by ascending names.
 pub(crate) fn all(world: &World, prism: usize) -> Vec<Tet> {
-    let mut tets = Vec::new();
-    for (i, order) in ORDERS.iter().enumerate() {
-        let [u, v, w] = order.map(|corner| world.shell.triangles[prism][corner]);
-        for slab in 0..2 {
-            let [lo, hi] = [slab, slab + 1].map(|layer| [u, v, w].map(|x| world.name(x, layer)));
-            let listed = [
-                (2, [lo[0], lo[1], lo[2], hi[2]]),
-                (1, [lo[0], lo[1], hi[1], hi[2]]),
-                (0, [lo[0], hi[0], hi[1], hi[2]]),
-            ];
-            for (carried, mut names) in listed.into_iter().filter(|t| lo[t.0] != hi[t.0]) {
-                let [a, b, c, d] = names;
-                // Listed with the tet's orientation, or with two points to be exchanged.
-                let even = (i < 3) == (carried != 1);
-                let rows = if even { [[a, b], [a, c], [a, d]] } else { [[a, c], [a, b], [a, d]] };
-                names.sort_unstable();
-                let pillar = [lo[carried], hi[carried]];
-                tets.push(Tet { prism, names, rows, pillar, orders: 1 << i, positive: false });
+    let mut tets: Vec<Tet> = Vec::with_capacity(24);
+    for (i, slab) in (0..6).flat_map(|i| [(i, 0), (i, 1)]) {
+        let corners = ORDERS[i].map(|corner| world.shell.triangles[prism][corner]);
+        let [lo, hi] = [slab, slab + 1].map(|layer| corners.map(|v| world.name(v, layer)));
+        for carried in (0..3).filter(|&c| lo[c] != hi[c]) {
+            // The lower ends up to the carried pillar, the upper ends from there on.
+            let listed = [&lo[..=carried], &hi[carried..]].concat();
+            let Ok(mut names) = Names4::try_from(listed) else { continue };
+            let greater = |i: usize, j: usize| usize::from(names[i] > names[j]);
+            let inversions = (0..4).flat_map(|j| (0..j).map(move |i| (i, j))).map(|(i, j)| greater(i, j));
+            let odd = (inversions.sum::<usize>() + usize::from(i >= 3) + carried) % 2 == 1;
+            names.sort_unstable();
+            // Tets with the same names carry the same pillar and have the same orientation.
+            if let Some(tet) = tets.iter_mut().find(|t| t.names == names) {
+                tet.orders |= 1 << i;
+                continue;
             }
+            let pillar = [lo[carried], hi[carried]];
+            tets.push(Tet { prism, names, odd, pillar, orders: 1 << i, positive: false });
         }
     }
     tets.sort_unstable_by_key(|t| t.names);
-    // Tets with the same names carry the same pillar and have the same orientation.
-    tets.dedup_by(|tet, kept| {
-        let same = tet.names == kept.names;
-        kept.orders |= if same { tet.orders } else { 0 };
-        same
-    });
-    tets.iter_mut().for_each(|tet| tet.positive = world.sign(tet.rows) > 0);
+    tets.iter_mut().for_each(|tet| tet.positive = world.sign(tet.rows()) > 0);
     tets
 }
 

@@ -96,11 +96,6 @@ impl World {
         if [a, b, c].contains(&x) { 0 } else { self.sign([[a, b], [a, c], [a, x]]) }
     }
 
-    /// The sign of the determinant of four points.
-    pub(crate) fn orientation(&self, [a, b, c, d]: [usize; 4]) -> i32 {
-        self.side([a, b, c], d)
-    }
-
     /// Differences whose determinant is that of the points with the `i`-th one replaced by `x`: the barycentric
     /// coordinate of `x` at the `i`-th point, times the determinant of the points.
     pub(crate) fn replaced(&self, mut points: [usize; 4], i: usize, x: usize) -> [[usize; 2]; 3] {
