@@ -13,9 +13,8 @@ impl Aabb {
     }
 
     fn join(&self, other: &Self) -> Self {
-        let merge =
-            |f: fn(i64, i64) -> i64, a: &[i64; 3], b: &[i64; 3]| std::array::from_fn(|i| f(a[i], b[i]));
-        Self(merge(i64::min, &self.0, &other.0), merge(i64::max, &self.1, &other.1))
+        let (low, high) = (|i: usize| self.0[i].min(other.0[i]), |i: usize| self.1[i].max(other.1[i]));
+        Self(std::array::from_fn(low), std::array::from_fn(high))
     }
 
     pub(crate) fn meets(&self, other: &Self) -> bool {

@@ -32,7 +32,7 @@ pub(crate) fn distinct(ids: impl IntoIterator<Item = usize>) -> Vec<usize> {
     ids
 }
 
-/// Classes of `0..n` that the pairs unite: a representative for each number.
+/// Classes of `0..n` that the pairs unite: the smallest of its class for each number.
 fn classes(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Vec<usize> {
     fn find(parent: &mut [usize], mut x: usize) -> usize {
         while parent[x] != x {
@@ -44,7 +44,7 @@ fn classes(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Vec<usize> 
     let mut parent: Vec<usize> = (0..n).collect();
     for (a, b) in pairs {
         let (a, b) = (find(&mut parent, a), find(&mut parent, b));
-        parent[a] = b;
+        parent[a.max(b)] = a.min(b);
     }
     (0..n).map(|x| find(&mut parent, x)).collect()
 }
@@ -80,12 +80,9 @@ impl Complex {
         let part = classes(complex.triangles.len(), shared().map(|(_, _, i, j)| (i, j)));
         let rim = complex.edges.keys().filter(|(a, b)| complex.across(*a, *b).is_none());
         complex.rim = rim.flat_map(|&(a, b)| [a, b]).collect();
-        let mut number = HashMap::new();
-        for class in part {
-            let next = number.len();
-            complex.part.push(*number.entry(class).or_insert(next));
-        }
-        complex.parts = number.len();
+        let smallest = distinct(part.iter().copied());
+        complex.part = part.iter().map(|i| smallest.binary_search(i).unwrap_or(0)).collect();
+        complex.parts = smallest.len();
         Ok(complex)
     }
 

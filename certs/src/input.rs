@@ -112,7 +112,17 @@ fn off(text: &[u8]) -> Result<Mesh, String> {
     if next(false)? != b"OFF" {
         return Err("the first word is not OFF".into());
     }
-    let counts = [index(next(false)?)?, index(next(false)?)?, index(next(false)?)?];
+    let mut counts = [0; 2];
+    for count in &mut counts {
+        let word = next(false)?;
+        *count = index(word)?;
+        if word.len() > 10 || (word.len() > 1 && word.starts_with(b"0")) {
+            return Err("a count has more than ten digits or leading zeros".into());
+        }
+    }
+    if !next(false)?.iter().all(u8::is_ascii_digit) {
+        return Err("the number of edges is no number".into());
+    }
     let mut mesh = Mesh::default();
     for _ in 0..counts[0] {
         mesh.points.push([real(next(false)?)?, real(next(false)?)?, real(next(false)?)?]);

@@ -115,8 +115,7 @@ impl<'a> Lift<'a> {
             let beside = self.vertices(at).iter().all(|v| corners.contains(v));
             let same = self.carrier(at, tet).filter(|c| self.carrier(at, here.tet).as_ref() == Some(c));
             let next = same.filter(|_| beside && self.passable(&here.carrier));
-            let carrier = next.ok_or_else(|| bad!("wrong-step", "line {}", at.line))?;
-            here = Station { at, tet, carrier };
+            here = Station { at, tet, carrier: next.ok_or_else(|| bad!("wrong-step", "line {}", at.line))? };
         }
         Ok(here)
     }
@@ -155,7 +154,8 @@ impl<'a> Lift<'a> {
         let steep = || world.sign(world.dot(end.at.triangle, end.tet.pillar)) <= 0;
         let plane = world.corners(end.at.triangle);
         let flat = || end.carrier.len() == 3 && end.carrier.iter().all(|&n| world.side(plane, n) == 0);
-        let at_one_point = || ends.iter().all(|end| self.on_mesh(end) == self.on_mesh(&ends[0]));
+        let point = |at: &At| primitive(world.corners(at.triangle), &at.weights);
+        let at_one_point = || ends.iter().all(|other| point(other.at) == point(end.at));
         match (reason, ends) {
             ("cap", _) => world.in_cap(&end.carrier),
             ("wall", _) => wall && !rim,
@@ -166,10 +166,6 @@ impl<'a> Lift<'a> {
             ("monodromy", [one, two]) => at_one_point() && one.carrier != two.carrier,
             _ => false,
         }
-    }
-
-    fn on_mesh(&self, station: &Station<'_>) -> Weighting {
-        primitive(self.world.mesh.triangles[station.at.triangle], &station.at.weights)
     }
 
     fn projected(&self, station: &Station<'_>) -> Weighting {

@@ -1,17 +1,14 @@
 //! Exact integers and vectors of them; a determinant's sign from leading bits where these decide it.
 
-use num_bigint::{BigInt, Sign};
+use num_bigint::BigInt;
+use num_traits::Signed;
 
 /// A vector or a point.
 pub(crate) type Vec3<T = BigInt> = [T; 3];
 
 /// -1, 0 or 1.
 pub(crate) fn sgn(x: &BigInt) -> i32 {
-    match x.sign() {
-        Sign::Minus => -1,
-        Sign::NoSign => 0,
-        Sign::Plus => 1,
-    }
+    i32::from(x.is_positive()) - i32::from(x.is_negative())
 }
 
 /// A finite double as `mantissa * 2^exponent` with an odd mantissa, or `(0, 0)`.
@@ -30,10 +27,6 @@ pub(crate) fn decode(bits: u64) -> (i64, i64) {
 pub(crate) fn key(bits: u64) -> i64 {
     let magnitude = (bits & (u64::MAX >> 1)).cast_signed();
     if bits >> 63 == 1 { -magnitude } else { magnitude }
-}
-
-pub(crate) fn sub(a: &Vec3, b: &Vec3) -> Vec3 {
-    std::array::from_fn(|i| &a[i] - &b[i])
 }
 
 pub(crate) fn cross(a: &Vec3, b: &Vec3) -> Vec3 {

@@ -1,6 +1,6 @@
 //! `section-all-orders` certified (FORMAT section 3.3).
 
-use crate::number::{Vec3, det, sgn};
+use crate::number::{Vec3, cross, dot, sgn};
 use crate::overlay::Overlay;
 use crate::world::World;
 use crate::{Res, complex, each, show};
@@ -93,5 +93,5 @@ fn cut(piece: &[Vec3], plane: &Vec3) -> Vec<Vec3> {
 }
 
 fn has_area(piece: &[Vec3]) -> bool {
-    piece.windows(2).skip(1).any(|w| sgn(&det(&[piece[0].clone(), w[0].clone(), w[1].clone()])) != 0)
+    (2..piece.len()).any(|i| sgn(&dot(&cross(&piece[0], &piece[i - 1]), &piece[i])) != 0)
 }

@@ -5,7 +5,7 @@ use crate::number::{Vec3, cross, det, dot, leading, sgn, sign_near};
 use crate::parse::Overlay as Facts;
 use crate::tets::Selected;
 use crate::world::World;
-use crate::{Res, all, show};
+use crate::{Res, all};
 use num_bigint::BigInt;
 use std::collections::HashSet;
 use std::iter::Sum;
@@ -48,8 +48,7 @@ const SIDES: [usize; 2] = [0, 1];
 
 impl<'a> Overlay<'a> {
     pub(crate) fn check(world: &World, selected: &Selected, facts: &'a Facts) -> Res<Self> {
-        let flat = selected.tets.iter().find(|t| !t.positive).map_or(String::new(), |t| show(&t.names));
-        ensure!(flat.is_empty(), "not-positive", "tet {flat}");
+        ensure!(selected.tets.iter().all(|t| t.positive), "not-positive", "a tet of the order");
         let corners = all(&facts.corners, |(line, ids, names)| {
             ensure!(world.mesh.is_simplex(ids), "mesh-carrier", "line {line}");
             ensure!(selected.holding(names).next().is_some(), "shell-carrier", "line {line}");
@@ -59,11 +58,8 @@ impl<'a> Overlay<'a> {
         let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
         overlay.cells = all(&facts.cells, |(line, ids)| overlay.cell(world, selected, *line, ids))?;
         overlay.boundary = overlay.check_edges(world)?;
-        let mut used = vec![false; overlay.corners.len()];
-        overlay.cells.iter().flat_map(|c| c.corners).for_each(|&x| used[x] = true);
-        for (used, (line, _, _)) in used.iter().zip(&facts.corners) {
-            ensure!(*used, "isolated", "line {line}: in no cell");
-        }
+        let used: HashSet<usize> = overlay.cells.iter().flat_map(|c| c.corners).copied().collect();
+        ensure!(used.len() == overlay.corners.len(), "isolated", "a `v` line is in no cell");
         overlay.check_degree(world, facts)?;
         Ok(overlay)
     }

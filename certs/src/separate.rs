@@ -53,14 +53,12 @@ impl Pair<'_> {
     /// Whether what remains of one side after the last plane may be there.
     fn harmless(&self, rest: &[usize]) -> bool {
         let common = |x: &usize| self.a.contains(x) && self.b.contains(x);
-        let keys = &self.world.keys;
-        let at_pinch = |v: usize| self.world.pinched[v] && keys[rest[0]] == keys[3 * v + 1];
-        match self.other {
-            Other::Mesh => {
-                rest.iter().all(common) && rest.len() == self.a.iter().filter(|x| common(x)).count()
-            }
-            _ => rest.is_empty() || rest.len() == 1 && self.b.iter().any(|n| at_pinch(n / 3)),
+        let World { keys, pinched, .. } = self.world;
+        let at_pinch = |v: usize| pinched[v] && keys[rest[0]] == keys[3 * v + 1];
+        if self.other == Other::Mesh {
+            return rest.iter().all(common) && rest.len() == self.a.iter().filter(|x| common(x)).count();
         }
+        rest.is_empty() || rest.len() == 1 && self.b.iter().any(|n| at_pinch(n / 3))
     }
 
     /// Whether each plane has what remains of `a` on one closed side and of `b` on the other, and the remainder is harmless.
@@ -91,12 +89,6 @@ impl Pair<'_> {
         };
         let mut planes = std::iter::once(self.a).chain((0..4).filter_map(face));
         planes.any(|points| self.separate(&[Plane::Through(points)], &self.a, self.b))
-    }
-
-    /// Whether the planes of a line separate.
-    fn separated_by(&self, planes: &[Plane]) -> bool {
-        planes.iter().all(|plane| plane.points().iter().all(|&x| self.world.exists(x)))
-            && self.separate(planes, &self.a, self.b)
     }
 }
 
@@ -130,7 +122,8 @@ pub(crate) fn disjoint(world: &World, other: Other, lines: &[Separation]) -> Res
                 let missed = open.first().is_some_and(|b| **b < names[..]);
                 ensure!(!missed, "missing-separation", "before {at}: {}", show(open[0]));
                 ensure!(open.first() == Some(&&names[..]), "superfluous", "{at}");
-                ensure!(pair(names).separated_by(&line.planes), "not-separated", "{at}");
+                let exist = line.planes.iter().all(|plane| plane.points().iter().all(|&x| world.exists(x)));
+                ensure!(exist && pair(names).separate(&line.planes, &a, names), "not-separated", "{at}");
                 open.remove(0);
             }
             ensure!(open.is_empty(), "missing-separation", "triangle {i} and {j}: {}", show(open[0]));
@@ -148,18 +141,15 @@ pub(crate) fn crossing(world: &World, other: Other, facts: &[Crossing]) -> Res {
         let tet = world.tets.get(*j).and_then(|tets| tets.iter().find(|t| t.names == *b));
         ensure!(other != Other::Tets || tet.is_some(), "unknown-tet", "line {line}");
         let ((x, xw), (y, yw)) = (world.mean(&a, first), world.mean(&b, second));
-        let equal = x.iter().zip(&y).all(|(x, y)| x * &yw == y * &xw);
-        ensure!(equal, "wrong-point", "line {line}");
+        ensure!(x.iter().zip(&y).all(|(x, y)| x * &yw == y * &xw), "wrong-point", "line {line}");
         if let (Some(tet), Some((_, value))) = (tet, contact) {
             let dot = world.det(world.dot(*i, tet.pillar));
             ensure!(world.value(&dot) == *value, "wrong-value", "line {line}");
             ensure!(sgn(&dot) <= 0, "not-refuted", "line {line}");
         }
         let (left, right) = (carrier(&a, first), carrier(&b, second));
-        let forced = match other {
-            Other::Mesh => left == right,
-            _ => right.len() == 1 && world.pinched[right[0] / 3],
-        };
+        let pinch = || right.len() == 1 && world.pinched[right[0] / 3];
+        let forced = if other == Other::Mesh { left == right } else { pinch() };
         ensure!(!forced, "not-refuted", "line {line}");
     }
     Ok(())

@@ -3,7 +3,7 @@
 use crate::complex::Complex;
 use crate::input::{Bits, Mesh, Shell};
 use crate::line::Value;
-use crate::number::{Vec3, decode, det, key, leading, sgn, sign_near, sub};
+use crate::number::{Vec3, decode, det, key, leading, sgn, sign_near};
 use crate::tets::{self, Tet};
 use num_bigint::BigInt;
 use rayon::prelude::*;
@@ -77,7 +77,7 @@ impl World {
 
     /// `y - x`.
     pub(crate) fn offset(&self, [x, y]: [usize; 2]) -> Vec3 {
-        sub(&self.points[y], &self.points[x])
+        std::array::from_fn(|i| &self.points[y][i] - &self.points[x][i])
     }
 
     /// The determinant of three differences of points.
