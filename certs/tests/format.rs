@@ -1,4 +1,5 @@
 //! Points of FORMAT that two readings found open.
+#![allow(clippy::panic)]
 mod common;
 use common::one_prism;
 use homeo_certs::check;
