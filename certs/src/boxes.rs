@@ -63,3 +63,6 @@ impl Tree {
         found
     }
 }
+
+#[cfg(test)]
+mod tests;

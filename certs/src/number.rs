@@ -65,3 +65,6 @@ pub(crate) fn sign_near(rows: &[Vec3<i64>; 3]) -> Option<i32> {
     let decided = value.abs() >= 48 * (largest + 1) * (largest + 1);
     decided.then_some(if value < 0 { -1 } else { 1 })
 }
+
+#[cfg(test)]
+mod tests;

@@ -65,7 +65,8 @@ fn clip(world: &World, f: usize, tet: [usize; 4], piece: &[Vec3]) -> Vec<Vec3> {
     for face in 0..4 {
         let at = world.corners(f).map(|x| world.replaced(tet, face, x));
         let sides = at.map(|rows| world.sign(rows) * orientation);
-        if sides.iter().all(|s| *s <= 0) || piece.is_empty() {
+        let outside = sides.contains(&-1) && !sides.contains(&1);
+        if orientation == 0 || outside || piece.is_empty() {
             return Vec::new();
         }
         if sides.contains(&-1) {
@@ -95,3 +96,6 @@ fn cut(piece: &[Vec3], plane: &Vec3) -> Vec<Vec3> {
 fn has_area(piece: &[Vec3]) -> bool {
     (2..piece.len()).any(|i| sgn(&dot(&cross(&piece[0], &piece[i - 1]), &piece[i])) != 0)
 }
+
+#[cfg(test)]
+mod tests;

@@ -34,8 +34,7 @@ pub(crate) fn pinched(shell: &Shell) -> Vec<bool> {
 
 impl World {
     pub(crate) fn new(shell: &Shell, mesh: &Mesh, (middle, surface): (Complex, Complex)) -> Self {
-        let vertices = 0..shell.layers[0].len();
-        let shell_points = vertices.flat_map(|v| shell.layers.each_ref().map(|l| l[v]));
+        let shell_points = (0..shell.layers[0].len()).flat_map(|v| shell.layers.each_ref().map(|l| l[v]));
         let bits: Vec<Bits> = shell_points.chain(mesh.points.iter().copied()).collect();
         let numbers = bits.iter().flatten().map(|&x| decode(x)).filter(|x| x.0 != 0);
         let exp = numbers.map(|x| x.1).min().unwrap_or(0);
