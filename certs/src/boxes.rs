@@ -13,10 +13,8 @@ impl Aabb {
     }
 
     fn join(&self, other: &Self) -> Self {
-        Self(
-            std::array::from_fn(|i| self.0[i].min(other.0[i])),
-            std::array::from_fn(|i| self.1[i].max(other.1[i])),
-        )
+        let (low, high) = (|i: usize| self.0[i].min(other.0[i]), |i: usize| self.1[i].max(other.1[i]));
+        Self(std::array::from_fn(low), std::array::from_fn(high))
     }
 
     pub(crate) fn meets(&self, other: &Self) -> bool {
@@ -26,51 +24,43 @@ impl Aabb {
 
 /// A balanced tree: node `k` has the children `2k + 1` and `2k + 2`, each with half of the boxes.
 pub(crate) struct Tree {
-    boxes: Vec<Aabb>,
-    items: Vec<usize>,
+    boxes: Vec<(Aabb, usize)>,
     nodes: Vec<Aabb>,
 }
 
 impl Tree {
-    pub(crate) fn new(boxes: Vec<Aabb>) -> Self {
+    pub(crate) fn new(boxes: impl Iterator<Item = Aabb>) -> Self {
+        let boxes: Vec<_> = boxes.enumerate().map(|(i, b)| (b, i)).collect();
         let nodes = vec![NOTHING; 2 * boxes.len().next_power_of_two()];
-        let mut tree = Self { items: (0..boxes.len()).collect(), boxes, nodes };
-        tree.build(0, 0, tree.items.len(), 0);
+        let mut tree = Self { nodes, boxes };
+        tree.build(0, 0, tree.boxes.len(), 0);
         tree
     }
 
     fn build(&mut self, node: usize, from: usize, to: usize, axis: usize) {
-        let boxes = &self.boxes;
-        let items = &mut self.items[from..to];
-        self.nodes[node] = items.iter().fold(NOTHING, |b, &i| b.join(&boxes[i]));
-        if items.len() > 1 {
-            let half = items.len() / 2;
-            items.select_nth_unstable_by_key(half, |&i| boxes[i].0[axis] / 2 + boxes[i].1[axis] / 2);
+        let boxes = &mut self.boxes[from..to];
+        self.nodes[node] = boxes.iter().fold(NOTHING, |all, b| all.join(&b.0));
+        if boxes.len() > 1 {
+            let half = boxes.len() / 2;
+            boxes.select_nth_unstable_by_key(half, |b| b.0.0[axis] / 2 + b.0.1[axis] / 2);
             self.build(2 * node + 1, from, from + half, (axis + 1) % 3);
             self.build(2 * node + 2, from + half, to, (axis + 1) % 3);
         }
     }
 
-    /// The boxes that meet `query`, ascending.
+    /// The numbers of the boxes that meet `query`.
     pub(crate) fn meeting(&self, query: &Aabb) -> Vec<usize> {
-        let (mut found, mut stack) = (Vec::new(), vec![(0, 0, self.items.len())]);
+        let (mut found, mut stack) = (Vec::new(), vec![(0, 0, self.boxes.len())]);
         while let Some((node, from, to)) = stack.pop() {
-            if from == to || !self.nodes[node].meets(query) {
-                continue;
+            if from < to && self.nodes[node].meets(query) {
+                let middle = from + (to - from) / 2;
+                match to - from {
+                    1 => found.push(self.boxes[from].1),
+                    _ => stack.extend([(2 * node + 1, from, middle), (2 * node + 2, middle, to)]),
+                }
             }
-            if to - from == 1 {
-                found.push(self.items[from]);
-                continue;
-            }
-            let middle = from + (to - from) / 2;
-            stack.extend([(2 * node + 1, from, middle), (2 * node + 2, middle, to)]);
         }
-        found.sort_unstable();
         found
-    }
-
-    pub(crate) fn get(&self, i: usize) -> &Aabb {
-        &self.boxes[i]
     }
 }
 

@@ -1,6 +1,7 @@
 //! The classic HDF5 subset of FORMAT section 6. Every read is bounds-checked, every walk has a budget.
 
 use crate::input::{Bits, Mesh, Shell, validate};
+use std::collections::HashSet;
 
 type Read<T> = Result<T, String>;
 
@@ -70,10 +71,12 @@ impl<'a> File<'a> {
         let (size, data) =
             (self.number(heap.saturating_add(8), 8)?, self.number(heap.saturating_add(24), 8)?);
         let heap = self.bytes(data, size)?;
-        let (mut nodes, mut names, mut seen) = (vec![(tree, 256)], Vec::new(), 0);
+        let (mut nodes, mut names, mut seen) = (vec![(tree, 256)], Vec::new(), HashSet::new());
         while let Some((at, below)) = nodes.pop() {
-            seen += 1;
-            if seen > BUDGET || names.len() > BUDGET || nodes.len() > BUDGET {
+            if !seen.insert(at) {
+                return Err("a node is reached twice".into());
+            }
+            if seen.len() > BUDGET || names.len() > BUDGET || nodes.len() > BUDGET {
                 return Err("the root group is too large".into());
             }
             if below == 0 {
@@ -89,6 +92,10 @@ impl<'a> File<'a> {
             for i in 0..used {
                 nodes.push((self.number(at.saturating_add(32 + 16 * i), 8)?, level));
             }
+        }
+        let different: HashSet<&[u8]> = names.iter().map(|n| n.0).collect();
+        if different.len() < names.len() {
+            return Err("a name is used twice".into());
         }
         Ok(names)
     }
@@ -111,7 +118,11 @@ impl<'a> File<'a> {
         let total = self.number(at.saturating_add(2), 2)?;
         let mut blocks = vec![(at.saturating_add(16), self.number(at.saturating_add(8), 4)?)];
         let mut found = Vec::new();
+        let mut seen = HashSet::new();
         while let Some((mut here, mut left)) = blocks.pop() {
+            if !seen.insert(here) {
+                return Err("a block is reached twice".into());
+            }
             self.bytes(here, left)?;
             while left >= 8 && (found.len() as u64) < total {
                 let (kind, size) = (self.number(here, 2)?, self.number(here + 2, 2)?);

@@ -21,6 +21,9 @@ pub(crate) struct Shell {
 
 /// Reads the one to four files; the mesh that an HDF5 shell holds is read only when it is needed.
 pub(crate) fn read(files: &[Vec<u8>], need_mesh: bool) -> Res<(Shell, Option<Mesh>)> {
+    if let Some(i) = files.iter().position(|file| file.len() > 1 << 30) {
+        return malformed("input", format!("input file {} is larger than 2^30 bytes", i + 1));
+    }
     let named = |i: usize| mesh(&files[i]).map_err(|why| format!("input file {}: {why}", i + 1));
     let result = match files.len() {
         1 | 2 => hdf5::shell(&files[0], files.len() == 1 && need_mesh)
@@ -71,7 +74,7 @@ pub(crate) fn validate(points: &[Bits], triangles: &[[usize; 3]]) -> Result<(), 
 }
 
 fn is_space(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t'..=b'\r')
+    matches!(byte, b' ' | b'\t' | b'\n' | b'\x0c' | b'\r')
 }
 
 fn tokens(text: &[u8]) -> impl Iterator<Item = &[u8]> {
@@ -109,7 +112,17 @@ fn off(text: &[u8]) -> Result<Mesh, String> {
     if next(false)? != b"OFF" {
         return Err("the first word is not OFF".into());
     }
-    let counts = [index(next(false)?)?, index(next(false)?)?, index(next(false)?)?];
+    let mut counts = [0; 2];
+    for count in &mut counts {
+        let word = next(false)?;
+        *count = index(word)?;
+        if word.len() > 10 || (word.len() > 1 && word.starts_with(b"0")) {
+            return Err("a count has more than ten digits or leading zeros".into());
+        }
+    }
+    if !next(false)?.iter().all(u8::is_ascii_digit) {
+        return Err("the number of edges is no number".into());
+    }
     let mut mesh = Mesh::default();
     for _ in 0..counts[0] {
         mesh.points.push([real(next(false)?)?, real(next(false)?)?, real(next(false)?)?]);

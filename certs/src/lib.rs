@@ -1,5 +1,19 @@
 //! The independent checker of homeo certificates: reads a certificate and the files that it is about, and verifies
 //! each claim exactly. The format, the rules and the error codes are in `FORMAT.md`; modules follow its sections.
+//!
+//! The *trusted core*, which decides whether a claim holds, is `number`, `complex`, `world`, `tets`, `boxes`, `overlay`,
+//! `orders`, `lift` and `separate`: under 900 lines of code (`tests/size.rs` counts them). Around it are the readers: `line`
+//! and `parse` (the grammar), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the two.
+
+/// The error of a check that does not hold.
+macro_rules! bad {
+    ($code:expr, $($message:tt)*) => { crate::Fail { exit: 1, code: $code, message: format!($($message)*) } };
+}
+
+/// Returns from a function with the error `invalid CODE` if something does not hold.
+macro_rules! ensure {
+    ($ok:expr, $code:expr, $($message:tt)*) => { if !$ok { return Err(bad!($code, $($message)*)); } };
+}
 
 mod boxes;
 mod complex;
@@ -17,8 +31,9 @@ mod world;
 
 use complex::Complex;
 use input::{Mesh, Shell};
-use number::{Fixed, Num, fits};
 use parse::{Block, Cert};
+use rayon::prelude::*;
+use separate::Other;
 use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
@@ -56,12 +71,14 @@ fn malformed<T>(code: &'static str, message: impl Into<String>) -> Res<T> {
     fail(2, code, message)
 }
 
-fn invalid<T>(code: &'static str, message: impl Into<String>) -> Res<T> {
-    fail(1, code, message)
+/// Checks independent things in parallel; the error is that of the first one that fails.
+fn each(n: usize, check: impl Fn(usize) -> Res + Sync + Send) -> Res {
+    (0..n).into_par_iter().map(check).find_first(Result::is_err).unwrap_or(Ok(()))
 }
 
-fn ensure(ok: bool, code: &'static str, message: impl FnOnce() -> String) -> Res {
-    if ok { Ok(()) } else { invalid(code, message()) }
+/// Checks independent things in parallel and collects what is found; the error is that of the first one that fails.
+fn all<'a, T: Sync, U: Send>(items: &'a [T], check: impl Fn(&'a T) -> Res<U> + Sync + Send) -> Res<Vec<U>> {
+    items.par_iter().map(check).collect::<Vec<_>>().into_iter().collect()
 }
 
 /// Names as they are written.
@@ -80,7 +97,7 @@ pub fn check_files<P: AsRef<Path>>(cert: &Path, inputs: &[P]) -> Outcome {
     let load = || {
         inputs
             .iter()
-            .map(|path| load(path.as_ref(), u64::MAX, "input"))
+            .map(|path| load(path.as_ref(), (1 << 30) + 1, "input"))
             .collect::<Res<Vec<_>>>()
             .map(Cow::Owned)
     };
@@ -115,12 +132,7 @@ fn run<'a>(bytes: &[u8], inputs: impl FnOnce() -> Res<Cow<'a, [Vec<u8>]>>) -> Re
     let (shell, mesh) = input::read(&inputs()?, cert.mesh.is_some())?;
     let mesh = mesh.filter(|_| cert.mesh.is_some()).unwrap_or_default();
     let complexes = bind(&cert, &shell, &mesh)?;
-    let (exp, bits) = world::scale(&shell, &mesh);
-    match bits {
-        _ if fits::<4>(bits) => claims(&cert, &World::<Fixed<4>>::new(&shell, &mesh, exp, complexes)),
-        _ if fits::<8>(bits) => claims(&cert, &World::<Fixed<8>>::new(&shell, &mesh, exp, complexes)),
-        _ => claims(&cert, &World::<num_bigint::BigInt>::new(&shell, &mesh, exp, complexes)),
-    }?;
+    claims(&cert, &World::new(&shell, &mesh, complexes))?;
     Ok(cert.claims)
 }
 
@@ -131,91 +143,66 @@ fn bind(cert: &Cert, shell: &Shell, mesh: &Mesh) -> Res<(Complex, Complex)> {
         let counts = (stated.vertices, stated.faces) == (layers[0].len(), triangles.len());
         counts && stated.sha == input::hash(layers, triangles)
     };
-    ensure(same(&cert.shell, &layers, &shell.prisms), "hash", || "of the shell".into())?;
+    ensure!(same(&cert.shell, &layers, &shell.prisms), "hash", "of the shell");
     if let Some(stated) = &cert.mesh {
-        ensure(same(stated, &[&mesh.points], &mesh.triangles), "hash", || "of the mesh".into())?;
+        ensure!(same(stated, &[&mesh.points], &mesh.triangles), "hash", "of the mesh");
     }
-    let complex =
-        |triangles: &[[usize; 3]], code| Complex::new(triangles.to_vec()).or_else(|why| invalid(code, why));
     let pinched = world::pinched(shell);
-    let flat = |t: &[usize; 3]| t.iter().all(|&v| pinched[v]);
-    let bad = shell.prisms.is_empty() || shell.prisms.iter().any(flat);
-    let middle = complex(&shell.prisms, "shell-conditions")?;
-    ensure(!bad, "shell-conditions", || "no prism, or one with three pinched corners".into())?;
-    let surface = complex(&mesh.triangles, "mesh-conditions")?;
-    ensure(cert.mesh.is_none() || !mesh.triangles.is_empty(), "mesh-conditions", || "no triangle".into())?;
+    let flat = |prism: &[usize; 3]| prism.iter().all(|&v| pinched[v]);
+    let middle = Complex::new(shell.prisms.clone(), "shell-conditions")?;
+    ensure!(!shell.prisms.is_empty(), "shell-conditions", "no prism");
+    ensure!(!shell.prisms.iter().any(flat), "shell-conditions", "a prism has three pinched corners");
+    let surface = Complex::new(mesh.triangles.clone(), "mesh-conditions")?;
+    ensure!(cert.mesh.is_none() || !mesh.triangles.is_empty(), "mesh-conditions", "no triangle");
     Ok((middle, surface))
 }
 
 /// The conditions that need numbers or both complexes, then the claims one by one; their blocks come in their order.
-fn claims<N: Num>(cert: &Cert, world: &World<N>) -> Res {
-    let area = |f: &usize| world.normal(*f).iter().any(|x| x.sgn() != 0);
-    if let Some(f) = (0..world.mesh.triangles.len()).find(|f| !area(f)) {
-        return invalid("mesh-conditions", format!("triangle {f} has zero area"));
-    }
+fn claims(cert: &Cert, world: &World) -> Res {
+    let area = |f: usize| {
+        let [a, b, c] = world.corners(f);
+        number::cross(&world.offset([a, b]), &world.offset([a, c])).iter().any(|x| number::sgn(x) != 0)
+    };
+    each(world.mesh.triangles.len(), |f| {
+        ensure!(area(f), "mesh-conditions", "triangle {f} has zero area");
+        Ok(())
+    })?;
     let pinches = world.shell.triangles.iter().flatten().filter(|&&v| world.pinched[v]).count();
     let pinched = (0..world.pinched.len()).filter(|&v| world.pinched[v]).collect();
-    ensure(cert.pinched == (8 * pinches, pinched), "pinched", || {
-        "the line differs from what the shell gives".into()
-    })?;
+    ensure!(cert.pinched == (8 * pinches, pinched), "pinched", "the line differs from what the shell gives");
     let order: Vec<usize> = cert.order.clone().unwrap_or_else(|| (0..world.pinched.len()).collect());
-    let selected = |first: &[usize]| {
-        let mut rank = vec![usize::MAX; order.len()];
-        let mut next = 0;
-        for &v in first.iter().chain(&order) {
-            if rank[v] == usize::MAX {
-                rank[v] = next;
-                next += 1;
-            }
-        }
-        Selected::new(world, &rank)
-    };
     let mut overlay = None;
     let mut blocks = cert.blocks.iter();
     for &(name, certified) in &cert.claims {
+        let other = match name {
+            "disjoint-mesh" => Other::Mesh,
+            "disjoint-bottom" => Other::Layer(0),
+            "disjoint-top" => Other::Layer(2),
+            _ => Other::Tets,
+        };
         // Which claims have a block is what `parse::plan` says.
-        match (name, certified) {
-            ("positivity", true) => positive(world)?,
-            ("bijection", _) => {}
-            ("section-all-orders", true) => overlay.iter().try_for_each(|o| orders::check(world, o))?,
-            _ if cert.owners.contains(&name) => match blocks.next() {
-                Some(Block::Positivity(facts)) => {
-                    for fact in facts {
-                        let tets = tets::all(&world.pinched, world.shell.triangles[fact.prism]);
-                        lift::negative(world, fact, tets.into_iter().find(|t| t.names == fact.tet))?;
-                    }
+        let block = if cert.owners.contains(&name) { blocks.next() } else { None };
+        match (name, block) {
+            ("positivity", None) => {
+                if let Some(tet) = world.tets.iter().flatten().find(|t| !t.positive) {
+                    ensure!(false, "not-positive", "prism {}: tet {}", tet.prism, show(&tet.names));
                 }
-                Some(Block::Overlay(facts)) => {
-                    overlay = Some(overlay::Overlay::check(world, &selected(&[]), facts)?);
-                }
-                Some(Block::NoLift(first, witness)) => lift::check(world, &selected(first), witness)?,
-                Some(Block::Separated(seps)) if name == "i2" => separate::no_contact(world, seps)?,
-                Some(Block::Separated(seps)) => separate::disjoint(world, layer(name), seps)?,
-                Some(Block::Crossing(facts)) if name == "i2" => separate::contact(world, facts)?,
-                Some(Block::Crossing(facts)) => separate::crossing(world, layer(name), facts)?,
-                None => {}
-            },
-            _ => {}
-        }
-    }
-    Ok(())
-}
-
-/// The shell layer that a `disjoint` claim is about.
-fn layer(name: &str) -> Option<usize> {
-    match name {
-        "disjoint-bottom" => Some(0),
-        "disjoint-top" => Some(2),
-        _ => None,
-    }
-}
-
-/// `positivity` certified.
-fn positive<N: Num>(world: &World<N>) -> Res {
-    for (p, &prism) in world.shell.triangles.iter().enumerate() {
-        for tet in tets::all(&world.pinched, prism) {
-            let ok = tet.det(world).sgn() > 0;
-            ensure(ok, "not-positive", || format!("prism {p}: tet {}", show(&tet.names)))?;
+            }
+            ("section-all-orders", None) if certified => {
+                overlay.iter().try_for_each(|o| orders::check(world, o))?;
+            }
+            (_, None) => {}
+            (_, Some(Block::Positivity(facts))) => {
+                facts.iter().try_for_each(|fact| lift::not_positive(world, fact, &world.tets[fact.prism]))?;
+            }
+            (_, Some(Block::Overlay(facts))) => {
+                overlay = Some(overlay::Overlay::check(world, &Selected::new(world, &[], &order), facts)?);
+            }
+            (_, Some(Block::NoLift(first, witness))) => {
+                lift::check(world, &Selected::new(world, first, &order), witness)?;
+            }
+            (_, Some(Block::Separated(lines))) => separate::disjoint(world, other, lines)?,
+            (_, Some(Block::Crossing(facts))) => separate::crossing(world, other, facts)?,
         }
     }
     Ok(())

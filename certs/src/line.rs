@@ -7,21 +7,23 @@ use std::iter::Peekable;
 use std::str::Split;
 
 /// A tet as its four names, ascending. A shell point's name `(id, layer)` is the number `3 id + layer`.
-pub(crate) type Tet = [usize; 4];
+pub(crate) type Names4 = [usize; 4];
 
-/// A point of a plane: a shell name, or a mesh vertex.
-#[derive(Clone, Copy)]
-pub(crate) enum Point {
-    Shell(usize),
-    Mesh(usize),
-}
-
-/// A plane as written.
+/// A plane as written. A point is a shell point's name, or the number of all such names plus a mesh vertex.
 #[derive(Clone, Copy)]
 pub(crate) enum Plane {
-    Through(Point, Point, Point),
-    Line(Point, Point),
-    Normal(Point, Point),
+    Through([usize; 3]),
+    Line([usize; 2]),
+    Normal([usize; 2]),
+}
+
+impl Plane {
+    pub(crate) fn points(&self) -> &[usize] {
+        match self {
+            Self::Through(points) => points,
+            Self::Line(points) | Self::Normal(points) => points,
+        }
+    }
 }
 
 /// `odd * 2^exp` with `odd` odd, or zero with `exp = 0`.
@@ -127,7 +129,7 @@ impl<'a> Line<'a> {
         while self.more() {
             ids.push(self.id(bound)?);
         }
-        let sorted = crate::complex::distinct(&ids);
+        let sorted = crate::complex::distinct(ids.iter().copied());
         self.require(sorted.len() == ids.len())?;
         Ok(ids)
     }
@@ -158,7 +160,7 @@ impl<'a> Line<'a> {
         Ok(names)
     }
 
-    pub(crate) fn tet(&mut self) -> Res<Tet> {
+    pub(crate) fn tet(&mut self) -> Res<Names4> {
         let names = self.names()?;
         names.try_into().or_else(|_| self.syntax())
     }
@@ -204,17 +206,17 @@ impl<'a> Line<'a> {
         let Some((kind, points)) = token.split_once(':') else { return self.syntax() };
         let points = points.split(',').map(|t| self.point(t)).collect::<Res<Vec<_>>>()?;
         match (kind, points.as_slice()) {
-            ("p", &[a, b, c]) => Ok(Plane::Through(a, b, c)),
-            ("l", &[a, b]) => Ok(Plane::Line(a, b)),
-            ("n", &[a, b]) => Ok(Plane::Normal(a, b)),
+            ("p", &[a, b, c]) => Ok(Plane::Through([a, b, c])),
+            ("l", &[a, b]) => Ok(Plane::Line([a, b])),
+            ("n", &[a, b]) => Ok(Plane::Normal([a, b])),
             _ => self.syntax(),
         }
     }
 
-    fn point(&mut self, text: &str) -> Res<Point> {
+    fn point(&mut self, text: &str) -> Res<usize> {
         match text.strip_prefix('g') {
-            Some(id) => Ok(Point::Mesh(self.id_in(id, self.bounds.mesh)?)),
-            None => Ok(Point::Shell(self.name(text)?)),
+            Some(id) => Ok(3 * self.bounds.shell + self.id_in(id, self.bounds.mesh)?),
+            None => self.name(text),
         }
     }
 }

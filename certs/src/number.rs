@@ -1,106 +1,14 @@
-//! Exact integers: fixed-width ones on the stack and `BigInt`, behind one trait, and vectors of them.
+//! Exact integers and vectors of them; a determinant's sign from leading bits where these decide it.
 
 use num_bigint::BigInt;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
-/// What the geometric code needs of an integer.
-pub(crate) trait Num: Clone {
-    /// `mantissa * 2^shift`.
-    fn scaled(mantissa: i64, shift: usize) -> Self;
-    fn plus(&self, other: &Self) -> Self;
-    fn minus(&self, other: &Self) -> Self;
-    fn times(&self, other: &Self) -> Self;
-    /// -1, 0 or 1.
-    fn sgn(&self) -> i32;
-    fn big(&self) -> BigInt;
-}
+/// A vector or a point.
+pub(crate) type Vec3<T = BigInt> = [T; 3];
 
-impl Num for BigInt {
-    fn scaled(mantissa: i64, shift: usize) -> Self {
-        Self::from(mantissa) << shift
-    }
-    fn plus(&self, other: &Self) -> Self {
-        self + other
-    }
-    fn minus(&self, other: &Self) -> Self {
-        self - other
-    }
-    fn times(&self, other: &Self) -> Self {
-        self * other
-    }
-    fn sgn(&self) -> i32 {
-        if self.is_zero() { 0 } else { i32::from(self.is_positive()) * 2 - 1 }
-    }
-    fn big(&self) -> BigInt {
-        self.clone()
-    }
-}
-
-/// A two's complement integer of `64 N` bits, least limb first. Arithmetic wraps, so a caller must know a bound;
-/// with coordinates `|x| < 2^L` every value that this crate computes in `Num` is below `2^(4L+8)`:
-/// a difference `d` is below `2^(L+1)`; a component of `d x d` has 2 products, below `2^(2L+3)`; a component of
-/// `d x (d x d)` is below `2^(3L+5)`; its dot with a `d` has 3 products, below `2^(4L+8)`. A determinant of three `d`
-/// is below `2^(3L+6)`, a sum of four of them below `2^(3L+8)`. Hence [`fits`].
-#[derive(Clone, Copy)]
-pub(crate) struct Fixed<const N: usize>([u64; N]);
-
-/// Whether `Fixed<N>` is wide enough for coordinates below `2^bits`.
-pub(crate) fn fits<const N: usize>(bits: usize) -> bool {
-    bits.saturating_mul(4).saturating_add(8) < 64 * N
-}
-
-impl<const N: usize> Fixed<N> {
-    fn negated(&self) -> Self {
-        Self([0; N]).minus(self)
-    }
-}
-
-impl<const N: usize> Num for Fixed<N> {
-    fn scaled(mantissa: i64, shift: usize) -> Self {
-        let wide = u128::from(mantissa.unsigned_abs()) << (shift % 64);
-        let mut limbs = [0; N];
-        for (limb, part) in limbs.iter_mut().skip(shift / 64).zip([wide as u64, (wide >> 64) as u64]) {
-            *limb = part;
-        }
-        if mantissa < 0 { Self(limbs).negated() } else { Self(limbs) }
-    }
-    fn plus(&self, other: &Self) -> Self {
-        let (mut out, mut carry) = ([0; N], 0);
-        for ((o, a), b) in out.iter_mut().zip(self.0).zip(other.0) {
-            let sum = u128::from(a) + u128::from(b) + carry;
-            (*o, carry) = (sum as u64, sum >> 64);
-        }
-        Self(out)
-    }
-    fn minus(&self, other: &Self) -> Self {
-        let (mut out, mut borrow) = ([0; N], false);
-        for ((o, a), b) in out.iter_mut().zip(self.0).zip(other.0) {
-            let (first, under) = a.overflowing_sub(b);
-            let (second, again) = first.overflowing_sub(u64::from(borrow));
-            (*o, borrow) = (second, under || again);
-        }
-        Self(out)
-    }
-    fn times(&self, other: &Self) -> Self {
-        let mut out = [0u64; N];
-        for (i, a) in self.0.iter().enumerate() {
-            let mut carry = 0;
-            for (o, b) in out[i..].iter_mut().zip(other.0) {
-                let sum = u128::from(*a) * u128::from(b) + u128::from(*o) + carry;
-                (*o, carry) = (sum as u64, sum >> 64);
-            }
-        }
-        Self(out)
-    }
-    fn sgn(&self) -> i32 {
-        match self.0.last() {
-            Some(top) if top >> 63 == 1 => -1,
-            _ => i32::from(self.0.iter().any(|&limb| limb != 0)),
-        }
-    }
-    fn big(&self) -> BigInt {
-        BigInt::from_signed_bytes_le(&self.0.iter().flat_map(|limb| limb.to_le_bytes()).collect::<Vec<u8>>())
-    }
+/// -1, 0 or 1.
+pub(crate) fn sgn(x: &BigInt) -> i32 {
+    i32::from(x.is_positive()) - i32::from(x.is_negative())
 }
 
 /// A finite double as `mantissa * 2^exponent` with an odd mantissa, or `(0, 0)`.
@@ -121,27 +29,41 @@ pub(crate) fn key(bits: u64) -> i64 {
     if bits >> 63 == 1 { -magnitude } else { magnitude }
 }
 
-/// A vector or a point.
-pub(crate) type Vec3<N> = [N; 3];
-
-pub(crate) fn sub<N: Num>(a: &Vec3<N>, b: &Vec3<N>) -> Vec3<N> {
-    std::array::from_fn(|i| a[i].minus(&b[i]))
-}
-
-pub(crate) fn cross<N: Num>(a: &Vec3<N>, b: &Vec3<N>) -> Vec3<N> {
+pub(crate) fn cross(a: &Vec3, b: &Vec3) -> Vec3 {
     std::array::from_fn(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j].times(&b[k]).minus(&a[k].times(&b[j]))
+        &a[j] * &b[k] - &a[k] * &b[j]
     })
 }
 
-pub(crate) fn dot<N: Num>(a: &Vec3<N>, b: &Vec3<N>) -> N {
-    a[0].times(&b[0]).plus(&a[1].times(&b[1])).plus(&a[2].times(&b[2]))
+pub(crate) fn dot(a: &Vec3, b: &Vec3) -> BigInt {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
 /// The determinant of three rows.
-pub(crate) fn det<N: Num>(a: &Vec3<N>, b: &Vec3<N>, c: &Vec3<N>) -> N {
+pub(crate) fn det([a, b, c]: &[Vec3; 3]) -> BigInt {
     dot(&cross(a, b), c)
+}
+
+/// The integers divided by a common power of two and rounded down; all results are below `2^40` in absolute value.
+pub(crate) fn leading<'a>(numbers: impl Iterator<Item = &'a BigInt> + Clone) -> impl Iterator<Item = i64> {
+    let shift = numbers.clone().map(BigInt::bits).max().unwrap_or(0).saturating_sub(40);
+    // Rounding down may give -2^40, which fits too.
+    numbers.map(move |x| i64::try_from(x >> shift).unwrap_or(i64::MAX))
+}
+
+/// The sign of the determinant of three rows, each entry known as an integer of at most `2^41` in absolute value with an
+/// error below 2; `None` if that does not decide it.
+///
+/// A product `x y z` with entries of at most `m` has an error below `(m+2)^3 - m^3 = 6m^2 + 12m + 8`, the six of the
+/// determinant together one below `48 (m+1)^2`. The largest intermediate sum is at most `6 * 2^123 < 2^127`.
+pub(crate) fn sign_near(rows: &[Vec3<i64>; 3]) -> Option<i32> {
+    let [a, b, c] = rows.map(|row| row.map(i128::from));
+    let largest = rows.iter().flatten().map(|x| i128::from(x.unsigned_abs())).max().unwrap_or(0);
+    let minor = |j: usize, k: usize| a[j] * b[k] - a[k] * b[j];
+    let value = minor(1, 2) * c[0] + minor(2, 0) * c[1] + minor(0, 1) * c[2];
+    let decided = value.abs() >= 48 * (largest + 1) * (largest + 1);
+    decided.then_some(if value < 0 { -1 } else { 1 })
 }
 
 #[cfg(test)]

@@ -1,194 +1,141 @@
 //! `section` and `bijection` certified: the overlay (FORMAT section 3.2, rule R2 of THEORY).
 
-use crate::number::{Num, Vec3, det};
+use crate::complex::{distinct, sides};
+use crate::number::{Vec3, cross, det, dot, leading, sgn, sign_near};
 use crate::parse::Overlay as Facts;
 use crate::tets::Selected;
 use crate::world::World;
-use crate::{Res, ensure, invalid};
+use crate::{Res, all};
 use num_bigint::BigInt;
 use std::collections::HashSet;
+use std::iter::Sum;
 
-/// A vertex of `K`: barycentric coordinates times `weight > 0` on its mesh ids and on its names.
+/// Barycentric coordinates times a positive number: of which vertices, exactly, leading bits.
+struct Weights {
+    ids: Vec<usize>,
+    exact: Vec<BigInt>,
+    near: Vec<i64>,
+}
+
+/// A vertex of `K`.
 struct Corner<'a> {
-    ids: &'a [usize],
     names: &'a [usize],
-    on_mesh: Vec<BigInt>,
-    on_shell: Vec<BigInt>,
-    weight: BigInt,
+    /// On the vertices of the mesh; on those of the shell, where names of one vertex each have their own weight.
+    weights: [Weights; 2],
 }
 
 /// A cell, the triangle of `T` that it lies in and the prism.
 pub(crate) struct Cell<'a> {
     pub(crate) line: usize,
     corners: &'a [usize],
-    pub(crate) triangle: usize,
-    pub(crate) prism: usize,
+    pub(crate) home: [usize; 2],
+    /// The corners of both.
+    within: [[usize; 3]; 2],
 }
 
 /// A checked overlay.
 pub(crate) struct Overlay<'a> {
     corners: Vec<Corner<'a>>,
     pub(crate) cells: Vec<Cell<'a>>,
-    /// The edges of `K` without their reverse, and a line that has them.
-    boundary: Vec<(usize, usize, usize)>,
+    /// The edges of `K` without their reverse: a cell's line, the vertex ids of the ends' names, the names.
+    pub(crate) boundary: Vec<Rim>,
 }
 
-/// Three barycentric coordinates times a positive number.
-pub(crate) type Row = Vec3<BigInt>;
+type Rim = (usize, Vec<usize>, Vec<usize>);
+
+/// The mesh, the shell.
+const SIDES: [usize; 2] = [0, 1];
 
 impl<'a> Overlay<'a> {
-    pub(crate) fn check<N: Num>(world: &World<N>, selected: &Selected, facts: &'a Facts) -> Res<Self> {
-        if let Some((tet, prism, _)) = selected.tets.iter().find(|t| !t.2) {
-            return invalid("not-positive", format!("prism {prism}: tet {}", crate::show(&tet.names)));
-        }
-        let used = world.mesh.used(world.points_in_mesh());
-        let corner = |(line, ids, names): &'a (usize, Vec<usize>, Vec<usize>)| {
-            ensure(world.mesh.is_simplex(ids, &used), "mesh-carrier", || format!("line {line}"))?;
-            ensure(selected.holding(names).next().is_some(), "shell-carrier", || format!("line {line}"))?;
-            ensure(!world.in_cap(names), "cap", || format!("line {line}"))?;
+    pub(crate) fn check(world: &World, selected: &Selected, facts: &'a Facts) -> Res<Self> {
+        ensure!(selected.tets.iter().all(|t| t.positive), "not-positive", "a tet of the order");
+        let corners = all(&facts.corners, |(line, ids, names)| {
+            ensure!(world.mesh.is_simplex(ids), "mesh-carrier", "line {line}");
+            ensure!(selected.holding(names).next().is_some(), "shell-carrier", "line {line}");
+            ensure!(!world.in_cap(names), "cap", "line {line}");
             meet(world, *line, ids, names)
-        };
-        let corners = facts.corners.iter().map(corner).collect::<Res<Vec<_>>>()?;
+        })?;
         let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
-        for (line, ids) in &facts.cells {
-            let cell = overlay.place(world, selected, *line, ids)?;
-            overlay.check_areas(world, &cell)?;
-            overlay.cells.push(cell);
-        }
-        overlay.check_edges(world)?;
-        let mut isolated = vec![true; overlay.corners.len()];
-        overlay.cells.iter().flat_map(|c| c.corners).for_each(|&x| isolated[x] = false);
-        if let Some(x) = isolated.iter().position(|&i| i) {
-            return invalid("isolated", format!("line {}: in no cell", facts.corners[x].0));
-        }
+        overlay.cells = all(&facts.cells, |(line, ids)| overlay.cell(world, selected, *line, ids))?;
+        overlay.boundary = overlay.check_edges(world)?;
+        let used: HashSet<usize> = overlay.cells.iter().flat_map(|c| c.corners).copied().collect();
+        ensure!(used.len() == overlay.corners.len(), "isolated", "a `v` line is in no cell");
         overlay.check_degree(world, facts)?;
         Ok(overlay)
     }
 
-    fn place<N: Num>(
-        &self,
-        world: &World<N>,
-        selected: &Selected,
-        line: usize,
-        corners: &'a [usize],
-    ) -> Res<Cell<'a>> {
-        let gather = |part: fn(&Corner<'a>) -> &'a [usize]| -> Vec<usize> {
-            crate::complex::distinct(
-                &corners.iter().flat_map(|&x| part(&self.corners[x])).copied().collect::<Vec<_>>(),
-            )
-        };
-        let Some(triangle) = world.mesh.with_corners(&gather(|c| c.ids)) else {
-            return invalid(
-                "cell-mesh",
-                format!("line {line}: the carriers in the mesh are not those of a triangle"),
-            );
-        };
-        let names = gather(|c| c.names);
-        let ids: Vec<usize> = names.iter().map(|n| n / 3).collect();
-        match world.shell.with_corners(&ids) {
-            Some(prism) if selected.in_prism(prism, &names) => Ok(Cell { line, corners, triangle, prism }),
-            _ => invalid("cell-shell", format!("line {line}: the carriers in the shell do not fill one tet")),
+    fn cell(&self, world: &World, selected: &Selected, line: usize, corners: &'a [usize]) -> Res<Cell<'a>> {
+        let ids =
+            |side: usize| distinct(corners.iter().flat_map(|&x| &self.corners[x].weights[side].ids).copied());
+        let names = distinct(corners.iter().flat_map(|&x| self.corners[x].names).copied());
+        let [triangle, prism] = [world.mesh.with_corners(&ids(0)), world.shell.with_corners(&ids(1))];
+        let triangle =
+            triangle.ok_or_else(|| bad!("cell-mesh", "line {line}: not one triangle of the mesh"))?;
+        let prism = prism.filter(|_| selected.holding(&names).next().is_some());
+        let prism = prism.ok_or_else(|| bad!("cell-shell", "line {line}: not one tet that fills a prism"))?;
+        let within = [world.mesh.triangles[triangle], world.shell.triangles[prism]];
+        let cell = Cell { line, corners, home: [triangle, prism], within };
+        for (i, fan) in fans(corners).enumerate() {
+            for (side, code) in [(0, "area-mesh"), (1, "area-middle")] {
+                let weights = fan.map(|x| &self.corners[x].weights[side]);
+                let near = weights.map(|w| w.row(cell.within[side], &w.near));
+                let exact = || sgn(&det(&self.rows(side, &cell, fan)));
+                ensure!(sign_near(&near).unwrap_or_else(exact) > 0, code, "line {line}: fan triangle {i}");
+            }
         }
+        Ok(cell)
     }
 
-    /// A corner's coordinates in triangle `f`, in its corner order.
-    fn mesh_row<N: Num>(&self, world: &World<N>, f: usize, x: usize) -> Row {
-        let corner = &self.corners[x];
-        row(world.mesh.triangles[f], corner.ids, &corner.on_mesh)
-    }
-
-    /// A corner's projected coordinates in a prism.
-    fn shell_row<N: Num>(&self, world: &World<N>, prism: usize, x: usize) -> Row {
-        let corner = &self.corners[x];
-        let ids: Vec<usize> = corner.names.iter().map(|n| n / 3).collect();
-        row(world.shell.triangles[prism], &ids, &corner.on_shell)
+    /// The coordinates of three corners in a cell's triangle or prism.
+    fn rows(&self, side: usize, cell: &Cell<'_>, fan: [usize; 3]) -> [Vec3; 3] {
+        fan.map(|x| &self.corners[x].weights[side]).map(|w| w.row(cell.within[side], &w.exact))
     }
 
     /// The fan triangles of a cell as coordinates in its mesh triangle.
-    pub(crate) fn pieces<N: Num>(&self, world: &World<N>, cell: &Cell<'_>) -> Vec<[Row; 3]> {
-        fans(cell.corners).map(|fan| fan.map(|x| self.mesh_row(world, cell.triangle, x))).collect()
+    pub(crate) fn pieces(&self, cell: &Cell<'_>) -> Vec<Vec<Vec3>> {
+        fans(cell.corners).map(|fan| self.rows(0, cell, fan).to_vec()).collect()
     }
 
-    fn check_areas<N: Num>(&self, world: &World<N>, cell: &Cell<'_>) -> Res {
-        for (i, fan) in fans(cell.corners).enumerate() {
-            let at = || format!("line {}: fan triangle {i}", cell.line);
-            let [a, b, c] = fan.map(|x| self.mesh_row(world, cell.triangle, x));
-            ensure(det(&a, &b, &c).sgn() > 0, "area-mesh", at)?;
-            let [a, b, c] = fan.map(|x| self.shell_row(world, cell.prism, x));
-            ensure(det(&a, &b, &c).sgn() > 0, "area-middle", at)?;
-        }
-        Ok(())
-    }
-
-    fn check_edges<N: Num>(&mut self, world: &World<N>) -> Res {
+    fn check_edges(&self, world: &World) -> Res<Vec<Rim>> {
+        let directed =
+            || self.cells.iter().flat_map(|c| fans(c.corners).flat_map(sides).map(|e| (c.line, e)));
         let mut edges = HashSet::new();
-        let all = || {
-            let cells = self.cells.iter();
-            cells.flat_map(|c| fans(c.corners).flat_map(crate::complex::sides).map(|(a, b)| (c.line, a, b)))
-        };
-        for (line, a, b) in all() {
-            ensure(edges.insert((a, b)), "edge-twice", || format!("line {line}: corners {a} {b}"))?;
+        for (line, edge) in directed() {
+            ensure!(edges.insert(edge), "edge-twice", "line {line}: corners {edge:?}");
         }
-        self.boundary = all().filter(|&(_, a, b)| !edges.contains(&(b, a))).collect();
-        for &(line, a, b) in &self.boundary {
-            let ids = [self.corners[a].ids, self.corners[b].ids].concat();
-            let on_both = world.mesh.on_boundary(&ids) && world.shell.on_boundary(&self.pillars(a, b));
-            ensure(on_both, "boundary", || format!("line {line}: corners {a} {b}"))?;
+        let mut boundary = Vec::new();
+        for (line, (a, b)) in directed().filter(|(_, (a, b))| !edges.contains(&(*b, *a))) {
+            let ends = [a, b].map(|x| &self.corners[x]);
+            let [on_mesh, ids] =
+                SIDES.map(|side| distinct(ends.map(|c| c.weights[side].ids.clone()).concat()));
+            let on_both = world.mesh.on_boundary(on_mesh) && world.shell.on_boundary(ids.iter().copied());
+            ensure!(on_both, "boundary", "line {line}: corners {a} {b}");
+            boundary.push((line, ids, ends.map(|c| c.names).concat()));
         }
-        Ok(())
+        Ok(boundary)
     }
 
-    /// The vertex ids of the names of two corners.
-    fn pillars(&self, a: usize, b: usize) -> Vec<usize> {
-        self.corners[a].names.iter().chain(self.corners[b].names).map(|n| n / 3).collect()
-    }
-
-    /// The boundary edges of `K`: a line, the vertex ids of the names, the names.
-    pub(crate) fn boundary(&self) -> impl Iterator<Item = (usize, Vec<usize>, Vec<usize>)> {
-        self.boundary.iter().map(|&(line, a, b)| {
-            let names = [self.corners[a].names, self.corners[b].names].concat();
-            (line, crate::complex::distinct(&self.pillars(a, b)), names)
-        })
-    }
-
-    fn check_degree<N: Num>(&self, world: &World<N>, facts: &Facts) -> Res {
-        let [on_mesh, on_shell] = [|c: &Cell<'_>| c.triangle, |c: &Cell<'_>| c.prism];
-        let place = [on_mesh, on_shell];
-        for (side, complex) in [&world.mesh, &world.shell].into_iter().enumerate() {
-            let lines = &facts.degree[side];
-            let named = lines.iter().map(|l| complex.part[place[side](&self.cells[l.1])]);
-            ensure(named.eq(0..complex.parts), "degree-component", || {
-                format!("line {}: the `d` lines do not name one cell for each component", lines[0].0)
-            })?;
+    fn check_degree(&self, world: &World, facts: &Facts) -> Res {
+        for side in SIDES {
+            let complex = [&world.mesh, &world.shell][side];
+            let named = facts.degree[side].iter().map(|d| complex.part[self.cells[d.1].home[side]]);
+            ensure!(named.eq(0..complex.parts), "degree-component", "not one `d` line a component");
         }
-        for (side, lines) in facts.degree.iter().enumerate() {
-            let size = [world.mesh.triangles.len(), world.shell.triangles.len()][side];
-            let mut inside: Vec<Vec<usize>> = vec![Vec::new(); size];
-            self.cells.iter().enumerate().for_each(|(i, c)| inside[place[side](c)].push(i));
-            for &(line, cell, fan) in lines {
-                let home = place[side](&self.cells[cell]);
-                let rows = |[a, b, c]: [usize; 3]| {
-                    [a, b, c].map(|x| {
-                        if side == 0 { self.mesh_row(world, home, x) } else { self.shell_row(world, home, x) }
-                    })
-                };
-                let Some(named) = fans(self.cells[cell].corners).nth(fan) else { continue };
-                let [a, b, c] = named.map(|x| &self.corners[x].weight);
-                let scales = [b * c, a * c, a * b];
-                let corners = rows(named);
-                let centre: Row = std::array::from_fn(|i| (0..3).map(|j| &corners[j][i] * &scales[j]).sum());
-                for &other in &inside[home] {
-                    for (i, triangle) in fans(self.cells[other].corners).enumerate() {
-                        let [a, b, c] = rows(triangle);
-                        let sides = [(&a, &b), (&b, &c), (&c, &a)];
-                        let holds = sides.iter().all(|(x, y)| det(x, y, &centre).sgn() >= 0);
-                        ensure((other, i) == (cell, fan) || !holds, "degree", || {
-                            format!(
-                                "line {line}: the centroid lies also in line {}, fan triangle {i}",
-                                self.cells[other].line
-                            )
-                        })?;
-                    }
+        for (side, &(line, named, fan)) in
+            SIDES.iter().flat_map(|&s| facts.degree[s].iter().map(move |d| (s, d)))
+        {
+            let named = &self.cells[named];
+            let Some(triangle) = fans(named.corners).nth(fan) else { continue };
+            let [a, b, c] = triangle.map(|x| self.corners[x].weights[side].exact.iter().sum::<BigInt>());
+            let (rows, scales) = (self.rows(side, named, triangle), [&b * &c, &a * &c, &a * &b]);
+            let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &rows[j][i] * &scales[j]).sum());
+            for other in self.cells.iter().filter(|c| c.home[side] == named.home[side]) {
+                for (i, triangle) in fans(other.corners).enumerate() {
+                    let [a, b, c] = &self.rows(side, named, triangle);
+                    let holds =
+                        [(a, b), (b, c), (c, a)].iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
+                    let itself = (other.line, i) == (named.line, fan);
+                    ensure!(itself || !holds, "degree", "line {line}: also in line {}", other.line);
                 }
             }
         }
@@ -197,32 +144,64 @@ impl<'a> Overlay<'a> {
 }
 
 /// The triangles `(c0, ci, ci+1)` that a cell stands for.
-fn fans(corners: &[usize]) -> impl Iterator<Item = [usize; 3]> + '_ {
+fn fans(corners: &[usize]) -> impl Iterator<Item = [usize; 3]> {
     corners.windows(2).skip(1).map(|w| [corners[0], w[0], w[1]])
 }
 
-/// Coordinates summed by the corner that they are on.
-fn row(corners: [usize; 3], ids: &[usize], coordinates: &[BigInt]) -> Row {
-    let mut row = Row::default();
-    for (id, value) in ids.iter().zip(coordinates) {
-        corners.iter().zip(&mut row).filter(|(c, _)| *c == id).for_each(|(_, sum)| *sum += value);
+impl Weights {
+    fn new(ids: impl Iterator<Item = usize>, exact: Vec<BigInt>) -> Self {
+        Self { ids: ids.collect(), near: leading(exact.iter()).collect(), exact }
     }
-    row
+
+    /// Values, exact or near ones, summed by the corner that they are on. At most two of a sum are not zero.
+    fn row<'b, T: Sum<&'b T>>(&self, corners: [usize; 3], values: &'b [T]) -> [T; 3] {
+        let on = |corner| self.ids.iter().zip(values).filter(move |(id, _)| **id == corner);
+        corners.map(|corner| on(corner).map(|(_, value)| value).sum())
+    }
 }
 
 /// The one common point of the affine hulls, with positive coordinates in both carriers.
-fn meet<'a, N: Num>(world: &World<N>, line: usize, ids: &'a [usize], names: &'a [usize]) -> Res<Corner<'a>> {
+fn meet<'a>(world: &World, line: usize, ids: &'a [usize], names: &'a [usize]) -> Res<Corner<'a>> {
     let points: Vec<usize> = ids.iter().map(|g| world.base + g).chain(names.iter().copied()).collect();
-    // Six points or more have two independent dependences.
-    let coefficients = if points.len() <= 5 { world.dependence(&points) } else { None };
-    let all: Vec<BigInt> = coefficients.iter().flatten().map(N::big).collect();
-    let on_mesh = all.get(..ids.len()).unwrap_or(&[]);
-    let weight: BigInt = on_mesh.iter().sum();
-    let sign = weight.sgn();
-    ensure(sign != 0, "no-point", || format!("line {line}: the carriers' hulls do not meet in one point"))?;
-    let on_mesh: Vec<BigInt> = on_mesh.iter().map(|x| x * sign).collect();
-    let on_shell: Vec<BigInt> = all[ids.len()..].iter().map(|x| x * -sign).collect();
-    let inside = on_mesh.iter().chain(&on_shell).all(|x| x.sgn() > 0);
-    ensure(inside, "outside-carrier", || format!("line {line}: the point is not inside its carriers"))?;
-    Ok(Corner { ids, names, on_mesh, on_shell, weight: weight * sign })
+    let mut on_mesh = dependence(world, &points).unwrap_or_default();
+    let mut on_shell = on_mesh.split_off(ids.len().min(on_mesh.len()));
+    let sign = sgn(&on_mesh.iter().sum());
+    ensure!(sign != 0, "no-point", "line {line}: the carriers' hulls do not meet in one point");
+    on_mesh.iter_mut().for_each(|x| *x *= sign);
+    on_shell.iter_mut().for_each(|x| *x *= -sign);
+    let inside = on_mesh.iter().chain(&on_shell).all(|x| sgn(x) > 0);
+    ensure!(inside, "outside-carrier", "line {line}: the point is not inside its carriers");
+    let pillars = names.iter().map(|n| n / 3);
+    let weights = [Weights::new(ids.iter().copied(), on_mesh), Weights::new(pillars, on_shell)];
+    Ok(Corner { names, weights })
+}
+
+/// The coefficients `c` with `sum c = 0` and `sum c x = 0`, when they are unique up to a factor: each is a minor of
+/// the differences to the first point. Six points or more have two independent dependences.
+fn dependence(world: &World, points: &[usize]) -> Option<Vec<BigInt>> {
+    let (&origin, others) = points.split_first()?;
+    let d: Vec<Vec3> = others.iter().map(|&p| world.offset([origin, p])).collect();
+    let zero = |x: &BigInt| sgn(x) == 0;
+    let tail = match d.as_slice() {
+        [a] => a.iter().all(zero).then(|| vec![BigInt::from(1)])?,
+        [a, b] => {
+            let flat = cross(a, b).iter().all(zero);
+            let i = (0..3).find(|&i| flat && !(zero(&a[i]) && zero(&b[i])))?;
+            vec![b[i].clone(), -&a[i]]
+        }
+        [a, b, c] => {
+            let minors = [cross(b, c), cross(c, a), cross(a, b)];
+            let flat = zero(&dot(&minors[0], a));
+            let i = (0..3).find(|&i| flat && !minors.iter().all(|m| zero(&m[i])))?;
+            minors.map(|m| m[i].clone()).to_vec()
+        }
+        [a, b, c, e] => {
+            let (first, last) = (cross(a, b), cross(c, e));
+            let all = vec![dot(b, &last), -dot(a, &last), dot(e, &first), -dot(c, &first)];
+            (!all.iter().all(zero)).then_some(all)?
+        }
+        _ => return None,
+    };
+    let head = -tail.iter().sum::<BigInt>();
+    Some(std::iter::once(head).chain(tail).collect())
 }

@@ -1,6 +1,6 @@
 //! The certificate's grammar (FORMAT section 2) and the checks of a certificate file alone (section 3).
 
-use crate::line::{Bounds, Line, Plane, Tet, Value, weights};
+use crate::line::{Bounds, Line, Names4, Plane, Value, weights};
 use crate::{Fail, Res, fail, malformed};
 use num_bigint::BigInt;
 use std::collections::HashSet;
@@ -48,7 +48,7 @@ pub(crate) enum Block {
 pub(crate) struct TetFact {
     pub(crate) line: usize,
     pub(crate) prism: usize,
-    pub(crate) tet: Tet,
+    pub(crate) tet: Names4,
     pub(crate) value: Value,
 }
 
@@ -65,7 +65,7 @@ pub(crate) struct Overlay {
 pub(crate) struct Separation {
     pub(crate) line: usize,
     pub(crate) pair: (usize, usize),
-    pub(crate) tet: Option<Tet>,
+    pub(crate) tet: Option<Names4>,
     pub(crate) planes: Vec<Plane>,
 }
 
@@ -75,7 +75,7 @@ pub(crate) struct Crossing {
     pub(crate) pair: (usize, usize),
     pub(crate) first: Vec<BigInt>,
     pub(crate) second: Vec<BigInt>,
-    pub(crate) contact: Option<(Tet, Value)>,
+    pub(crate) contact: Option<(Names4, Value)>,
 }
 
 pub(crate) enum Witness {
@@ -105,8 +105,8 @@ pub(crate) struct Branch {
 
 pub(crate) struct Leg {
     pub(crate) line: usize,
-    pub(crate) start: Tet,
-    pub(crate) steps: Vec<(At, Tet)>,
+    pub(crate) start: Names4,
+    pub(crate) steps: Vec<(At, Names4)>,
 }
 
 struct Parser<'a> {
@@ -431,7 +431,7 @@ fn pair(line: &mut Line<'_>, name: &str) -> Result<(usize, usize), Fail> {
     Ok((i, j))
 }
 
-type Key = (usize, usize, Option<Tet>);
+type Key = (usize, usize, Option<Names4>);
 
 fn separation(line: &mut Line<'_>, name: &str, last: &mut Option<Key>) -> Res<Separation> {
     let (pair, tet) = if name == "i2" {

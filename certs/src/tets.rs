@@ -1,109 +1,91 @@
 //! The tets of a prism, and the set that a vertex order selects (FORMAT section 1).
 
-use crate::line::Tet as Names;
-use crate::number::Num;
+use crate::line::Names4;
 use crate::world::World;
 
 /// A tet of a prism's slab.
 #[derive(Clone, Copy)]
 pub(crate) struct Tet {
-    pub(crate) names: Names,
-    /// Whether the ascending names have the opposite of the tet's orientation.
+    pub(crate) prism: usize,
+    /// Its names, ascending.
+    pub(crate) names: Names4,
+    /// Whether they are listed with the opposite of the tet's orientation.
     odd: bool,
     /// The names at the lower and the upper end of the pillar half that it carries.
-    pub(crate) pillar: (usize, usize),
+    pub(crate) pillar: [usize; 2],
+    /// Bit `i` is set if it is a tet of the `i`-th of [`ORDERS`].
+    orders: u8,
+    /// Whether its determinant is positive.
+    pub(crate) positive: bool,
 }
 
-/// The orders of three corners, and whether each is an even permutation.
-const ORDERS: [([usize; 3], bool); 6] = [
-    ([0, 1, 2], true),
-    ([1, 2, 0], true),
-    ([2, 0, 1], true),
-    ([0, 2, 1], false),
-    ([2, 1, 0], false),
-    ([1, 0, 2], false),
-];
+/// The orders of three corners, even permutations first.
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
 
-/// A prism's tets in an order; for a pinched corner `lo` and `hi` are both its name `m`.
-fn of_order(pinched: &[bool], prism: [usize; 3], (order, even): ([usize; 3], bool)) -> Vec<Tet> {
-    let [u, v, w] = order.map(|i| prism[i]);
-    let mut tets = Vec::new();
-    for slab in 0..2 {
-        let lo = |x: usize| if pinched[x] { 3 * x + 1 } else { 3 * x + slab };
-        let hi = |x: usize| if pinched[x] { 3 * x + 1 } else { 3 * x + slab + 1 };
-        let listed = [
-            (w, [lo(u), lo(v), lo(w), hi(w)], even),
-            (v, [lo(u), lo(v), hi(v), hi(w)], !even),
-            (u, [lo(u), hi(u), hi(v), hi(w)], even),
-        ];
-        for (carried, mut names, positive) in listed.into_iter().filter(|t| !pinched[t.0]) {
-            let inversions =
-                (0..4).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| names[i] > names[j]);
-            let odd = positive == (inversions.count() % 2 == 1);
-            names.sort_unstable();
-            tets.push(Tet { names, odd, pillar: (lo(carried), hi(carried)) });
-        }
+impl Tet {
+    /// Differences of points whose determinant is the tet's.
+    pub(crate) fn rows(&self) -> [[usize; 2]; 3] {
+        let [a, b, c, d] = self.names;
+        if self.odd { [[a, c], [a, b], [a, d]] } else { [[a, b], [a, c], [a, d]] }
     }
-    tets
 }
 
 /// The different ones of a prism's 24 tets, by ascending names.
-pub(crate) fn all(pinched: &[bool], prism: [usize; 3]) -> Vec<Tet> {
-    let mut tets: Vec<Tet> = ORDERS.iter().flat_map(|&order| of_order(pinched, prism, order)).collect();
-    tets.sort_unstable_by_key(|t| t.names);
-    tets.dedup_by_key(|t| t.names);
-    tets
-}
-
-impl Tet {
-    /// The determinant with the tet's orientation.
-    pub(crate) fn det<N: Num>(&self, world: &World<N>) -> N {
-        let [a, b, c, d] = self.names;
-        if self.odd { world.orient(a, c, b, d) } else { world.orient(a, b, c, d) }
+pub(crate) fn all(world: &World, prism: usize) -> Vec<Tet> {
+    let mut tets: Vec<Tet> = Vec::with_capacity(24);
+    for (i, slab) in (0..6).flat_map(|i| [(i, 0), (i, 1)]) {
+        let corners = ORDERS[i].map(|corner| world.shell.triangles[prism][corner]);
+        let [lo, hi] = [slab, slab + 1].map(|layer| corners.map(|v| world.name(v, layer)));
+        for carried in (0..3).filter(|&c| lo[c] != hi[c]) {
+            // The lower ends up to the carried pillar, the upper ends from there on.
+            let listed = [&lo[..=carried], &hi[carried..]].concat();
+            let Ok(mut names) = Names4::try_from(listed) else { continue };
+            let greater = |i: usize, j: usize| usize::from(names[i] > names[j]);
+            let inversions = (0..4).flat_map(|j| (0..j).map(move |i| (i, j))).map(|(i, j)| greater(i, j));
+            let odd = (inversions.sum::<usize>() + usize::from(i >= 3) + carried) % 2 == 1;
+            names.sort_unstable();
+            // Tets with the same names carry the same pillar and have the same orientation.
+            if let Some(tet) = tets.iter_mut().find(|t| t.names == names) {
+                tet.orders |= 1 << i;
+                continue;
+            }
+            let pillar = [lo[carried], hi[carried]];
+            tets.push(Tet { prism, names, odd, pillar, orders: 1 << i, positive: false });
+        }
     }
+    tets.sort_unstable_by_key(|t| t.names);
+    tets.iter_mut().for_each(|tet| tet.positive = world.sign(tet.rows()) > 0);
+    tets
 }
 
 /// `S_<`: the tets that a vertex order selects.
 pub(crate) struct Selected {
-    /// Tet, prism, whether its determinant is positive.
-    pub(crate) tets: Vec<(Tet, usize, bool)>,
-    /// The range of each prism's tets: `first[p] .. first[p + 1]`.
-    first: Vec<usize>,
+    pub(crate) tets: Vec<Tet>,
     /// The tets that hold each name.
     star: Vec<Vec<usize>>,
 }
 
 impl Selected {
-    /// `rank[v]` is the place of vertex `v` in the order.
-    pub(crate) fn new<N: Num>(world: &World<N>, rank: &[usize]) -> Self {
-        let (mut tets, mut first, mut star) = (Vec::new(), vec![0], vec![Vec::new(); 3 * rank.len()]);
-        for (p, &prism) in world.shell.triangles.iter().enumerate() {
-            let ascending = |o: &&([usize; 3], bool)| o.0.is_sorted_by_key(|i| rank[prism[*i]]);
-            for tet in ORDERS.iter().find(ascending).iter().flat_map(|&&o| of_order(&world.pinched, prism, o))
-            {
-                tet.names.iter().for_each(|&name| star[name].push(tets.len()));
-                tets.push((tet, p, tet.det(world).sgn() > 0));
-            }
-            first.push(tets.len());
+    /// The order has the vertices of `first`, then those of `order`; a vertex stands where it is named first.
+    pub(crate) fn new(world: &World, first: &[usize], order: &[usize]) -> Self {
+        let mut rank = vec![usize::MAX; order.len()];
+        for (i, &v) in first.iter().chain(order).enumerate() {
+            rank[v] = rank[v].min(i);
         }
-        Self { tets, first, star }
+        let (mut tets, mut star) = (Vec::new(), vec![Vec::new(); 3 * order.len()]);
+        for (prism, all) in world.shell.triangles.iter().zip(&world.tets) {
+            let chosen = ORDERS.iter().position(|o| o.is_sorted_by_key(|&i| rank[prism[i]])).unwrap_or(0);
+            for tet in all.iter().filter(|t| t.orders >> chosen & 1 == 1) {
+                tet.names.iter().for_each(|&name| star[name].push(tets.len()));
+                tets.push(*tet);
+            }
+        }
+        Self { tets, star }
     }
 
-    /// The tets that hold all the names, by looking at the name with the fewest tets.
-    pub(crate) fn holding<'a>(&'a self, names: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
-        let short =
-            names.iter().map(|&n| self.star[n].as_slice()).min_by_key(|star| star.len()).unwrap_or(&[]);
-        short.iter().copied().filter(|&t| names.iter().all(|n| self.tets[t].0.names.contains(n)))
-    }
-
-    /// The index of the tet with these names.
-    pub(crate) fn find(&self, names: &Names) -> Option<usize> {
-        self.holding(names).next()
-    }
-
-    /// Whether some tet of the prism holds all the names.
-    pub(crate) fn in_prism(&self, prism: usize, names: &[usize]) -> bool {
-        let range = self.first[prism]..self.first[prism + 1];
-        self.tets[range].iter().any(|(t, _, _)| names.iter().all(|n| t.names.contains(n)))
+    /// The tets that hold all the names (at least one), by looking at the name with the fewest tets.
+    pub(crate) fn holding(&self, names: &[usize]) -> impl Iterator<Item = usize> {
+        let short = names.iter().map(|&n| self.star[n].as_slice()).min_by_key(|s| s.len()).unwrap_or(&[]);
+        short.iter().copied().filter(|&t| names.iter().all(|n| self.tets[t].names.contains(n)))
     }
 }

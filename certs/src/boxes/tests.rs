@@ -15,10 +15,12 @@ fn finds_exactly_the_boxes_that_meet() {
             *first = [i64::MIN + 1, i64::MAX, 0];
         }
         let all: Vec<Aabb> = (0..n).map(|i| Aabb::of(&keys, &[3 * i, 3 * i + 1, 3 * i + 2])).collect();
-        let tree = Tree::new(all.clone());
+        let tree = Tree::new(all.iter().copied());
         for query in &all {
             let expected: Vec<usize> = (0..n).filter(|&i| all[i].meets(query)).collect();
-            assert_eq!(tree.meeting(query), expected);
+            let mut found = tree.meeting(query);
+            found.sort_unstable();
+            assert_eq!(found, expected);
         }
         assert!(tree.meeting(&Aabb::of(&[[1000; 3]], &[0])).len() <= 1);
     }

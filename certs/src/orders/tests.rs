@@ -3,28 +3,27 @@
 use super::{clip, has_area};
 use crate::complex::Complex;
 use crate::input::{Mesh, Shell};
-use crate::number::{Fixed, Num};
-use crate::overlay::Row;
-use crate::world::{World, scale};
+use crate::number::{Vec3, sgn};
+use crate::world::World;
 use num_bigint::BigInt;
 
 /// The tet `b0 m0 t0 b1` and the mesh triangle `0 1 2` of these seven points.
-fn world(points: &[[i32; 3]]) -> World<Fixed<4>> {
+fn world(points: &[[i32; 3]]) -> World {
     let bits = |p: &[i32; 3]| p.map(|x| f64::from(x).to_bits());
     let at = |i: usize| bits(&points[i]);
     let layers = [vec![at(0), at(3), at(0)], vec![at(1); 3], vec![at(2); 3]];
     let shell = Shell { layers, prisms: vec![[0, 1, 2]] };
     let mesh = Mesh { points: points[4..].iter().map(bits).collect(), triangles: vec![[0, 1, 2]] };
-    let complex = || Complex::new(vec![[0, 1, 2]]).expect("a triangle");
-    World::new(&shell, &mesh, scale(&shell, &mesh).0, (complex(), complex()))
+    let complex = || Complex::new(vec![[0, 1, 2]], "").unwrap_or_else(|_| panic!("a triangle"));
+    World::new(&shell, &mesh, (complex(), complex()))
 }
 
 /// The signs of a point's coordinates in the tet, positive inside.
-fn inside(world: &World<Fixed<4>>, row: &Row) -> [i32; 4] {
+fn inside(world: &World, row: &Vec3) -> [i32; 4] {
     let tet = [0, 1, 2, 3];
-    let sign = world.orient(0, 1, 2, 3).sgn();
-    let at = world.corners(0).map(|x| world.coordinates(tet, x));
-    std::array::from_fn(|i| (0..3).map(|j| at[j][i].big() * &row[j]).sum::<BigInt>().sgn() * sign)
+    let sign = world.side([0, 1, 2], 3);
+    let at = world.corners(0).map(|x| [0, 1, 2, 3].map(|i| world.det(world.replaced(tet, i, x))));
+    std::array::from_fn(|i| sgn(&(0..3).map(|j| &at[j][i] * &row[j]).sum::<BigInt>()) * sign)
 }
 
 #[test]
@@ -43,12 +42,12 @@ fn clips_as_the_lattice_says() {
         let piece = clip(&world, 0, [0, 1, 2, 3], &whole);
         let area = has_area(&piece);
         found[usize::from(area)] += 1;
-        if world.orient(0, 1, 2, 3).sgn() == 0 {
+        if world.side([0, 1, 2], 3) == 0 {
             assert!(!area);
             continue;
         }
         assert!(piece.iter().all(|row| inside(&world, row).iter().all(|s| *s >= 0)));
-        assert!(piece.iter().flatten().all(|x| x.sgn() >= 0));
+        assert!(piece.iter().flatten().all(|x| sgn(x) >= 0));
         let lattice = (1..16).flat_map(|i| (1..16 - i).map(move |j| (i, j, 16 - i - j)));
         let hit = lattice.map(|(i, j, k)| corner(i, j, k)).any(|row| inside(&world, &row) == [1; 4]);
         assert!(area || !hit, "{points:?}");
