@@ -1,19 +1,18 @@
 //! Oriented triangle complexes: the input conditions, sides, boundary, components.
 
-use crate::Res;
-use std::collections::{HashMap, HashSet};
+use crate::{Map, Res, Set};
 
 /// An oriented manifold triangle complex (the mesh `T` or the middle complex `M`).
 pub(crate) struct Complex {
     pub(crate) triangles: Vec<[usize; 3]>,
     /// Directed edge to its one triangle.
-    edges: HashMap<(usize, usize), usize>,
+    edges: Map<(usize, usize), usize>,
     /// Ascending corners to the triangle.
-    sets: HashMap<Vec<usize>, usize>,
+    sets: Map<Vec<usize>, usize>,
     /// Vertices of triangles.
-    used: HashSet<usize>,
+    used: Set<usize>,
     /// Vertices of boundary edges.
-    rim: HashSet<usize>,
+    rim: Set<usize>,
     /// The component of each triangle, numbered by smallest triangle.
     pub(crate) part: Vec<usize>,
     pub(crate) parts: usize,
@@ -52,7 +51,7 @@ fn classes(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Vec<usize> 
 impl Complex {
     /// Checks the conditions of FORMAT section 3 that need no coordinates; `code` is that of a failure.
     pub(crate) fn new(triangles: Vec<[usize; 3]>, code: &'static str) -> Res<Self> {
-        let (mut edges, mut sets) = (HashMap::new(), HashMap::new());
+        let (mut edges, mut sets) = (Map::default(), Map::default());
         for (i, &t) in triangles.iter().enumerate() {
             let set = distinct(t);
             ensure!(set.len() == 3, code, "triangle {i} repeats a vertex");
@@ -61,9 +60,9 @@ impl Complex {
                 ensure!(edges.insert(side, i).is_none(), code, "triangle {i}: edge {side:?} is used twice");
             }
         }
-        let used: HashSet<usize> = triangles.iter().flatten().copied().collect();
+        let used: Set<usize> = triangles.iter().flatten().copied().collect();
         let mut complex =
-            Self { triangles, edges, sets, used, rim: HashSet::new(), part: Vec::new(), parts: 0 };
+            Self { triangles, edges, sets, used, rim: Set::default(), part: Vec::new(), parts: 0 };
         // At each vertex all triangles are connected through shared edges: united corners, two for each edge.
         let corner = |t: usize, v: usize| {
             3 * t + usize::from(complex.triangles[t][1] == v) + 2 * usize::from(complex.triangles[t][2] == v)
@@ -72,7 +71,7 @@ impl Complex {
             || complex.edges.iter().filter_map(|(&(a, b), &i)| Some((a, b, i, complex.across(a, b)?)));
         let ends = shared().flat_map(|(a, b, i, j)| [a, b].map(|v| (corner(i, v), corner(j, v))));
         let around = classes(3 * complex.triangles.len(), ends);
-        let mut class_at = HashMap::new();
+        let mut class_at = Map::default();
         for (&v, class) in complex.triangles.iter().flatten().zip(around) {
             let connected = *class_at.entry(v).or_insert(class) == class;
             ensure!(connected, code, "the triangles at vertex {v} are not connected through its edges");

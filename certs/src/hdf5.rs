@@ -1,7 +1,7 @@
 //! The classic HDF5 subset of FORMAT section 6. Every read is bounds-checked, every walk has a budget.
 
+use crate::Set;
 use crate::input::{Bits, Mesh, Shell, validate};
-use std::collections::HashSet;
 
 type Read<T> = Result<T, String>;
 
@@ -71,7 +71,7 @@ impl<'a> File<'a> {
         let (size, data) =
             (self.number(heap.saturating_add(8), 8)?, self.number(heap.saturating_add(24), 8)?);
         let heap = self.bytes(data, size)?;
-        let (mut nodes, mut names, mut seen) = (vec![(tree, 256)], Vec::new(), HashSet::new());
+        let (mut nodes, mut names, mut seen) = (vec![(tree, 256)], Vec::new(), Set::default());
         while let Some((at, below)) = nodes.pop() {
             if !seen.insert(at) {
                 return Err("a node is reached twice".into());
@@ -93,7 +93,7 @@ impl<'a> File<'a> {
                 nodes.push((self.number(at.saturating_add(32 + 16 * i), 8)?, level));
             }
         }
-        let different: HashSet<&[u8]> = names.iter().map(|n| n.0).collect();
+        let different: Set<&[u8]> = names.iter().map(|n| n.0).collect();
         if different.len() < names.len() {
             return Err("a name is used twice".into());
         }
@@ -118,7 +118,7 @@ impl<'a> File<'a> {
         let total = self.number(at.saturating_add(2), 2)?;
         let mut blocks = vec![(at.saturating_add(16), self.number(at.saturating_add(8), 4)?)];
         let mut found = Vec::new();
-        let mut seen = HashSet::new();
+        let mut seen = Set::default();
         while let Some((mut here, mut left)) = blocks.pop() {
             if !seen.insert(here) {
                 return Err("a block is reached twice".into());
@@ -157,7 +157,8 @@ impl<'a> File<'a> {
             (self.number(kind, 1)? as u8 & 15, self.number(kind + 1, 1)?, self.number(kind + 4, 4)?);
         let plain = match class {
             0 => width == 4 && order & 1 == 0,
-            1 => width == 8 && order & 0x41 == 0,
+            // The IEEE double, byte for byte: bit field, then the properties behind the size.
+            1 => width == 8 && self.expect(kind, &IEEE[..4]).and(self.expect(kind + 8, &IEEE[4..])).is_ok(),
             _ => false,
         };
         if columns != 3 || !plain {
@@ -171,6 +172,9 @@ impl<'a> File<'a> {
         Ok(Dataset { rows: usize::try_from(rows).unwrap_or(0), class, data })
     }
 }
+
+/// Class and bit field, then bit offset, precision, exponent and mantissa places and bias, of a little-endian double.
+const IEEE: [u8; 16] = [0x11, 0x20, 0x3f, 0, 0, 0, 64, 0, 52, 11, 0, 52, 0xff, 3, 0, 0];
 
 impl Dataset<'_> {
     fn points(&self) -> Read<Vec<Bits>> {

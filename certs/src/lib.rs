@@ -30,6 +30,7 @@ mod tets;
 mod world;
 
 use complex::Complex;
+use foldhash::fast::RandomState;
 use input::{Mesh, Shell};
 use parse::{Block, Cert};
 use rayon::prelude::*;
@@ -39,6 +40,10 @@ use std::io::Read;
 use std::path::Path;
 use tets::Selected;
 use world::World;
+
+/// Hash tables with a hasher that is fast on small keys and seeded anew in every process, since keys come from files.
+type Map<K, V> = std::collections::HashMap<K, V, RandomState>;
+type Set<T> = std::collections::HashSet<T, RandomState>;
 
 /// The answer of a check.
 #[derive(Debug, Clone, PartialEq, Eq)]

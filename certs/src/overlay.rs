@@ -5,9 +5,8 @@ use crate::number::{Vec3, cross, det, dot, leading, sgn, sign_near};
 use crate::parse::Overlay as Facts;
 use crate::tets::Selected;
 use crate::world::World;
-use crate::{Res, all};
+use crate::{Res, Set, all};
 use num_bigint::BigInt;
-use std::collections::HashSet;
 use std::iter::Sum;
 
 /// Barycentric coordinates times a positive number: of which vertices, exactly, leading bits.
@@ -58,7 +57,7 @@ impl<'a> Overlay<'a> {
         let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
         overlay.cells = all(&facts.cells, |(line, ids)| overlay.cell(world, selected, *line, ids))?;
         overlay.boundary = overlay.check_edges(world)?;
-        let used: HashSet<usize> = overlay.cells.iter().flat_map(|c| c.corners).copied().collect();
+        let used: Set<usize> = overlay.cells.iter().flat_map(|c| c.corners).copied().collect();
         ensure!(used.len() == overlay.corners.len(), "isolated", "a `v` line is in no cell");
         overlay.check_degree(world, facts)?;
         Ok(overlay)
@@ -99,9 +98,11 @@ impl<'a> Overlay<'a> {
     fn check_edges(&self, world: &World) -> Res<Vec<Rim>> {
         let directed =
             || self.cells.iter().flat_map(|c| fans(c.corners).flat_map(sides).map(|e| (c.line, e)));
-        let mut edges = HashSet::new();
+        let mut edges = Set::default();
         for (line, edge) in directed() {
             ensure!(edges.insert(edge), "edge-twice", "line {line}: corners {edge:?}");
+            let names = [edge.0, edge.1].map(|x| self.corners[x].names).concat();
+            ensure!(!world.in_cap(&names), "cap", "line {line}: corners {edge:?}");
         }
         let mut boundary = Vec::new();
         for (line, (a, b)) in directed().filter(|(_, (a, b))| !edges.contains(&(*b, *a))) {

@@ -1,9 +1,9 @@
 //! The certificate's grammar (FORMAT section 2) and the checks of a certificate file alone (section 3).
 
+use crate::Set;
 use crate::line::{Bounds, Line, Names4, Plane, Value, weights};
 use crate::{Fail, Res, fail, malformed};
 use num_bigint::BigInt;
-use std::collections::HashSet;
 
 pub(crate) const CLAIMS: [&str; 8] = [
     "positivity",
@@ -284,7 +284,7 @@ impl<'a> Parser<'a> {
     }
 
     fn overlay(&mut self) -> Res<Overlay> {
-        let mut seen = HashSet::new();
+        let mut seen = Set::default();
         let corners = self.list("v", false, |line| {
             let ids = line.mesh_ids()?;
             let names = line.names()?;

@@ -183,6 +183,9 @@ fn certified() -> Vec<Case> {
         },
         case("ring", extruded(&rv, &rf, DOWN, UP), mesh(&lifted(&rv, 0.25), &rf), &[], &["d mesh"]),
         pinched(),
+        // Thick enough that boxes of far prisms and triangles meet: stated planes in every block that can hold them.
+        case("thick-ball", radial(&v2, &f2, 0.5, 1.5), mesh(&v2, &f2), &[], &["contact-sep "]),
+        case("coarse-ball", radial(&v1, &f1, 0.625, 1.25), mesh(&v2, &f2), &[], &["d middle 0 0"]),
     ]
 }
 
@@ -273,7 +276,13 @@ fn refuted_shells() -> Vec<Case> {
     let mut t = middle.to_vec();
     t.extend([[6.5, 0.125, 0.25], [7.5, 0.125, 0.25], [7.0, 0.25, 0.5]]);
     let tf = [[4, 5, 6], [0, 1, 4], [1, 5, 4], [1, 2, 5], [2, 6, 5], [2, 4, 6], [0, 4, 2], [1, 0, 3]];
+    let mut two_pinched = radial(&tetra, &tetra_f, 0.5, 1.5);
+    for v in [0, 2] {
+        two_pinched.bottom[v] = tetra[v];
+        two_pinched.top[v] = tetra[v];
+    }
     vec![
+        case("pinched-edge", two_pinched, mesh(&tetra, &tetra_f), NO_SECTION_CROSSING, &["cap"]),
         case("bad-tet", damaged, mesh(&m, &f), BAD_TET, &["tet "]),
         case("bad-tet-unused", partly, mesh(&m, &f), BAD_UNUSED, &["tet "]),
         case("flat-tet", flat_tet, mesh(&m, &f), BAD_TET, &["tet "]),
