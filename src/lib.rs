@@ -5,6 +5,7 @@
 
 pub mod certify;
 pub mod cli;
+pub mod construct;
 pub mod mesh;
 pub mod number;
 pub mod predicate;
