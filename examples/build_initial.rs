@@ -14,7 +14,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let built = initial(&mesh, &InitialOptions::default(), &Silent)?;
     let seconds = start.elapsed().as_secs_f64();
     let prisms = built.shell.faces.len();
-    println!("{} triangles, {} beveled, {prisms} prisms, {} rounds, {seconds:.2} s", mesh.faces.len(), built.beveled, built.rounds);
+    println!(
+        "{} triangles, {} beveled, {prisms} prisms, {} rounds, {seconds:.2} s",
+        mesh.faces.len(),
+        built.beveled,
+        built.rounds
+    );
     let outcome = certify(&built.shell, Some(&mesh), &Options::default(), &Silent)?;
     for claim in &outcome.claims {
         print!("{} {}; ", claim.claim, claim.verdict);

@@ -74,7 +74,7 @@ struct Beveler<'a> {
 pub(crate) fn bevel(input: &Input<'_>, bevel: &[bool]) -> Draft {
     let mut work = Beveler { input, bevel, draft: Draft::default(), on_edge: FxHashMap::default() };
     for (v, at) in input.mesh.vertices.iter().enumerate() {
-        work.draft.push(*at, input.direction[v], input.pinched[v]);
+        work.draft.push(*at, input.direction[v], input.pinched[v], v as u32);
     }
     for f in 0..input.mesh.faces.len() as u32 {
         if bevel[f as usize] { work.beveled(f) } else { work.conforming(f) }
@@ -113,7 +113,7 @@ impl Beveler<'_> {
         let (p, q) = (&self.input.mesh.vertices[v as usize], &self.input.mesh.vertices[w as usize]);
         let at = blend(&[(p, 1.0 - SHARE), (q, SHARE)]);
         let direction = self.pillar(v, faces);
-        self.draft.push(at, direction, false)
+        self.draft.push(at, direction, false, v)
     }
 
     /// The pillar of `v`, or, where it has none, of the edge between two triangles.
@@ -153,7 +153,9 @@ impl Beveler<'_> {
             }
         }
         let n = ring.len();
-        let flat = |from: usize| (1..n - 1).any(|i| ring[from].1 & ring[(from + i) % n].1 & ring[(from + i + 1) % n].1 != 0);
+        let flat = |from: usize| {
+            (1..n - 1).any(|i| ring[from].1 & ring[(from + i) % n].1 & ring[(from + i + 1) % n].1 != 0)
+        };
         let from = (0..n).find(|&k| !flat(k)).unwrap_or(0);
         for i in 1..n - 1 {
             self.triangle([ring[from].0, ring[(from + i) % n].0, ring[(from + i + 1) % n].0], f);
@@ -210,13 +212,14 @@ impl Beveler<'_> {
         let place = |x: f64, y: f64| blend(&[(at(a), 1.0 - x - y), (at(b), x), (at(c), y)]);
         if !self.input.pinched[a as usize] {
             let at = place(SHARE, SHARE);
-            let id = self.draft.push(at, self.input.direction[a as usize], false);
+            let id = self.draft.push(at, self.input.direction[a as usize], false, a);
             return [id, id];
         }
         let normal = float_normal(self.input.corners(f));
         let copied = |draft: &Draft, v: Option<u32>| v.map_or(normal, |v| draft.direction[v as usize]);
-        let (beside_leaving, beside_arriving) = (place(1.5 * SHARE, 0.75 * SHARE), place(0.75 * SHARE, 1.5 * SHARE));
+        let (beside_leaving, beside_arriving) =
+            (place(1.5 * SHARE, 0.75 * SHARE), place(0.75 * SHARE, 1.5 * SHARE));
         let (d, e) = (copied(&self.draft, leaving), copied(&self.draft, arriving));
-        [self.draft.push(beside_leaving, d, false), self.draft.push(beside_arriving, e, false)]
+        [self.draft.push(beside_leaving, d, false, a), self.draft.push(beside_arriving, e, false, a)]
     }
 }

@@ -44,6 +44,13 @@ pub fn directions(mesh: &TriMesh, connectivity: &Connectivity) -> Vec<Direction>
         .collect()
 }
 
+/// A direction for a vertex that suits these triangles, too, if there is one: what an edge that cannot be split wants,
+/// because the prism on it touches all triangles at both ends.
+pub(crate) fn direction_for(mesh: &TriMesh, faces: &[u32]) -> Option<[f64; 3]> {
+    let normals: Vec<[f64; 3]> = faces.iter().map(|&f| float_normal(corners(mesh, f))).collect();
+    most_normal(&normals).filter(|d| is_proved(mesh, faces, d))
+}
+
 fn corners(mesh: &TriMesh, face: u32) -> [&[f64; 3]; 3] {
     mesh.faces[face as usize].map(|v| &mesh.vertices[v as usize])
 }

@@ -11,6 +11,8 @@ pub(crate) struct Draft {
     pub(crate) up: Vec<f64>,
     pub(crate) down: Vec<f64>,
     pub(crate) pinched: Vec<bool>,
+    /// The mesh vertex that each vertex is near and, unless that one is pinched, has the pillar of.
+    pub(crate) near: Vec<u32>,
     pub(crate) faces: Vec<[u32; 3]>,
     /// The mesh triangle that each prism's middle lies in.
     pub(crate) origin: Vec<u32>,
@@ -18,13 +20,14 @@ pub(crate) struct Draft {
 
 impl Draft {
     /// Appends a vertex.
-    pub(crate) fn push(&mut self, at: [f64; 3], direction: [f64; 3], pinched: bool) -> u32 {
+    pub(crate) fn push(&mut self, at: [f64; 3], direction: [f64; 3], pinched: bool, near: u32) -> u32 {
         let id = u32::try_from(self.middle.len()).unwrap_or(u32::MAX);
         self.middle.push(at);
         self.direction.push(direction);
         self.up.push(0.0);
         self.down.push(0.0);
         self.pinched.push(pinched);
+        self.near.push(near);
         id
     }
 

@@ -51,8 +51,12 @@ pub(crate) fn check(mesh: &TriMesh, observer: &dyn Observer) -> Result<Connectiv
     let valid = mesh::check(mesh)?;
     let connectivity = valid.connectivity().clone();
     let boundary = Boundary::new(&connectivity);
-    let view =
-        MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity: &connectivity, boundary: &boundary };
+    let view = MeshView {
+        vertices: &mesh.vertices,
+        faces: &mesh.faces,
+        connectivity: &connectivity,
+        boundary: &boundary,
+    };
     let found = disjoint::decide(&view, &Shell::default(), About::Mesh, observer)?;
     match found.crossings.first() {
         None => Ok(connectivity),

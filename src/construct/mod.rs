@@ -3,6 +3,7 @@
 //! [`initial`] makes the initial shell: its middle surface is the mesh, refined where beveling needs it.
 
 mod bevel;
+mod boundary;
 pub mod direction;
 mod draft;
 mod gate;

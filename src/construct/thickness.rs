@@ -1,9 +1,9 @@
 //! Thickness of an initial shell: a first guess by casting pillars as rays, then shrinking until the exact claims hold
 //! (*Shell* section 3.3).
 
+use rayon::prelude::*;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
-use rayon::prelude::*;
 
 use super::direction::{float_cross, float_dot};
 use super::draft::Draft;
@@ -12,14 +12,15 @@ use crate::certify::complex::{Boundary, MeshView};
 use crate::certify::disjoint::{self, About};
 use crate::certify::{Observer, i2, positivity};
 use crate::mesh::{Connectivity, TriMesh};
-use crate::shell::{Layer, Slab};
+use crate::shell::{Layer, Name, Slab};
 
 /// What is left of a free ray: bottom and top keep a distance from what the ray hits.
 const CLEARANCE: f64 = 0.4;
 /// What is left of a thickness after one shrinking.
 const SHRINK: f64 = 0.7;
-/// Rounds of shrinking before the attempt is given up: `0.7^200` is below any coordinate's last bit.
-const ROUNDS: usize = 200;
+/// A thickness below this share of its first guess will not do: whatever is in the way does not get out of it by
+/// shrinking (*Shell* Figure 14). Not a tolerance: what is built is judged exactly, this only ends the attempt.
+const LEAST: f64 = 1e-6;
 
 /// Sets every vertex's thickness to `most`, or to a share of the free way along its pillar, if that is less.
 pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
@@ -77,69 +78,91 @@ fn hit(mesh: &TriMesh, f: u32, from: &[f64; 3], direction: &[f64; 3]) -> Option<
     let volume = float_dot(&e1, &p);
     let s = minus(from, &a);
     let q = float_cross(&s, &e1);
-    let (u, v, t) = (float_dot(&s, &p) / volume, float_dot(direction, &q) / volume, float_dot(&e2, &q) / volume);
+    let (u, v, t) =
+        (float_dot(&s, &p) / volume, float_dot(direction, &q) / volume, float_dot(&e2, &q) / volume);
     let size = e1.iter().chain(&e2).fold(0.0f64, |m, x| m.max(x.abs()));
     (u >= -1e-9 && v >= -1e-9 && u + v <= 1.0 + 1e-9 && t > 1e-7 * size).then_some(t)
 }
 
+/// How shrinking ended.
+pub(crate) enum Shrunk {
+    /// All conditions hold, after so many rounds.
+    Fits(usize),
+    /// These vertices have no thickness left, in prisms over these triangles, for this reason.
+    Stuck { places: Vec<(u32, u32)>, reason: &'static str },
+}
+
 /// Shrinks until all 24 tets of every prism are positive, no mesh triangle meets bottom or top, and no triangle touches
-/// a tet in the wrong direction (C1 and the extra conditions of C3+). Returns the number of rounds.
+/// a tet in the wrong direction (C1 and the extra conditions of C3+).
 pub(crate) fn shrink(
     draft: &mut Draft,
     mesh: &TriMesh,
     connectivity: &Connectivity,
     observer: &dyn Observer,
-) -> Result<usize, BuildError> {
+) -> Result<Shrunk, BuildError> {
     let boundary = Boundary::new(connectivity);
     let view = MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity, boundary: &boundary };
-    let mut last = (0u32, "the prism is not positive");
-    for round in 0..ROUNDS {
-        let shell = draft.shell();
-        let bad = positivity::decide(&shell, observer)?.bad;
-        let mut wrong: Vec<(u32, Slab)> = bad
-            .iter()
-            .map(|b| {
-                let top = b.names.iter().any(|n| n.layer == Layer::Top);
-                (b.prism, if top { Slab::Top } else { Slab::Bottom })
-            })
-            .collect();
-        let mut reason = "the prism is not positive";
-        if wrong.is_empty() {
-            for (about, slab) in [(About::Bottom, Slab::Bottom), (About::Top, Slab::Top)] {
-                let found = disjoint::decide(&view, &shell, about, observer)?;
-                wrong.extend(found.crossings.iter().map(|c| (c.second, slab)));
-            }
-            reason = "the mesh meets bottom or top";
-        }
-        if wrong.is_empty() {
-            let found = i2::decide(&view, &shell, observer)?;
-            let slab = |c: &i2::Contact| {
-                if c.names.iter().any(|n| n.layer == Layer::Top) { Slab::Top } else { Slab::Bottom }
-            };
-            wrong.extend(found.contacts.iter().map(|c| (c.prism, slab(c))));
-            reason = "a triangle touches the prism in the wrong direction";
-        }
-        let Some(&(prism, _)) = wrong.first() else { return Ok(round) };
-        last = (prism, reason);
+    let least = [&draft.down, &draft.up].map(|t| t.iter().map(|x| x * LEAST).collect::<Vec<f64>>());
+    for round in 0.. {
+        let (mut wrong, reason) = wrong(draft, &view, observer)?;
         wrong.sort_unstable();
         wrong.dedup();
-        reduce(draft, &wrong);
+        let Some(&(first, _)) = wrong.first() else { return Ok(Shrunk::Fits(round)) };
+        let stuck = reduce(draft, &wrong, &least);
+        if !stuck.is_empty() {
+            let over = |v: u32| wrong.iter().map(|w| w.0).find(|&p| draft.faces[p as usize].contains(&v));
+            let places =
+                stuck.iter().map(|&v| (v, draft.origin[over(v).unwrap_or(first) as usize])).collect();
+            return Ok(Shrunk::Stuck { places, reason });
+        }
     }
-    let triangle = draft.origin.get(last.0 as usize).copied().unwrap_or(0);
-    let vertex = draft.faces.get(last.0 as usize).map_or(0, |f| f[0]);
-    Err(BuildError::NoThickness { vertex, triangle, reason: last.1 })
+    Ok(Shrunk::Fits(0))
 }
 
-/// Shrinks the corners of each prism in the slab, each vertex once.
-fn reduce(draft: &mut Draft, wrong: &[(u32, Slab)]) {
+/// The slabs that break a condition, the cheapest condition first, and which one it is.
+fn wrong(
+    draft: &Draft,
+    view: &MeshView<'_>,
+    observer: &dyn Observer,
+) -> Result<(Vec<(u32, Slab)>, &'static str), BuildError> {
+    let shell = draft.shell();
+    let slab = |names: &[Name]| {
+        if names.iter().any(|n| n.layer == Layer::Top) { Slab::Top } else { Slab::Bottom }
+    };
+    let bad = positivity::decide(&shell, observer)?.bad;
+    if !bad.is_empty() {
+        return Ok((bad.iter().map(|b| (b.prism, slab(&b.names))).collect(), "the prism is not positive"));
+    }
+    let mut wrong = Vec::new();
+    for (about, slab) in [(About::Bottom, Slab::Bottom), (About::Top, Slab::Top)] {
+        let found = disjoint::decide(view, &shell, about, observer)?;
+        wrong.extend(found.crossings.iter().map(|c| (c.second, slab)));
+    }
+    if !wrong.is_empty() {
+        return Ok((wrong, "the mesh meets bottom or top"));
+    }
+    let found = i2::decide(view, &shell, observer)?;
+    let wrong = found.contacts.iter().map(|c| (c.prism, slab(&c.names))).collect();
+    Ok((wrong, "a triangle touches the prism in the wrong direction"))
+}
+
+/// Shrinks the corners of each prism in the slab, each vertex once; the vertices that fall below the least thickness.
+fn reduce(draft: &mut Draft, wrong: &[(u32, Slab)], least: &[Vec<f64>; 2]) -> Vec<u32> {
     let mut corners: Vec<(u32, Slab)> =
         wrong.iter().flat_map(|&(p, slab)| draft.faces[p as usize].map(|v| (v, slab))).collect();
     corners.sort_unstable();
     corners.dedup();
-    for (v, slab) in corners {
-        match slab {
-            Slab::Bottom => draft.down[v as usize] *= SHRINK,
-            Slab::Top => draft.up[v as usize] *= SHRINK,
+    let mut stuck = Vec::new();
+    for (v, slab) in corners.into_iter().filter(|(v, _)| !draft.pinched[*v as usize]) {
+        let k = v as usize;
+        let (thickness, least) = match slab {
+            Slab::Bottom => (&mut draft.down[k], least[0][k]),
+            Slab::Top => (&mut draft.up[k], least[1][k]),
+        };
+        *thickness *= SHRINK;
+        if *thickness < least {
+            stuck.push(v);
         }
     }
+    stuck
 }
