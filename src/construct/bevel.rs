@@ -131,8 +131,8 @@ impl Beveler<'_> {
         let face = self.input.mesh.faces[f as usize];
         // Each ring vertex with the sides that it lies on: side i runs from corner i to the next one.
         let mut ring: Vec<(u32, u8)> = Vec::with_capacity(9);
-        for i in 0..3usize {
-            ring.push((face[i], 1 << i | 1 << ((i + 2) % 3)));
+        for (i, &corner) in face.iter().enumerate() {
+            ring.push((corner, 1 << i | 1 << ((i + 2) % 3)));
             // Seen from the opposite corner it is side i + 2.
             let points = self.side(f, ((i + 2) % 3) as u32);
             ring.extend(points.into_iter().flatten().map(|v| (v, 1 << i)));
@@ -173,10 +173,9 @@ impl Beveler<'_> {
         let inner = [0, 1, 2].map(|i| self.inner(f, i, leaving(i), arriving(i)));
         for i in 0..3usize {
             let (a, [first, last]) = (face[i], inner[i]);
-            match leaving(i) {
-                Some(p) => self.triangle([a, p, first], f),
-                // A whole side: its strip below holds the corner itself.
-                None => {}
+            // Without a point on it the side is whole, and its strip below holds the corner itself.
+            if let Some(p) = leaving(i) {
+                self.triangle([a, p, first], f);
             }
             if first != last {
                 self.triangle([a, first, last], f);

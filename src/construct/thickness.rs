@@ -119,12 +119,11 @@ pub(crate) fn shrink(
     Ok(Shrunk::Fits(0))
 }
 
+/// Slabs of prisms and the condition that they break.
+type Wrong = (Vec<(u32, Slab)>, &'static str);
+
 /// The slabs that break a condition, the cheapest condition first, and which one it is.
-fn wrong(
-    draft: &Draft,
-    view: &MeshView<'_>,
-    observer: &dyn Observer,
-) -> Result<(Vec<(u32, Slab)>, &'static str), BuildError> {
+fn wrong(draft: &Draft, view: &MeshView<'_>, observer: &dyn Observer) -> Result<Wrong, BuildError> {
     let shell = draft.shell();
     let slab = |names: &[Name]| {
         if names.iter().any(|n| n.layer == Layer::Top) { Slab::Top } else { Slab::Bottom }
