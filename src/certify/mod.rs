@@ -6,18 +6,18 @@
 
 mod claim;
 mod clip;
-mod complex;
-mod disjoint;
+pub(crate) mod complex;
+pub(crate) mod disjoint;
 mod error;
-mod exact;
-mod i2;
+pub(crate) mod exact;
+pub(crate) mod i2;
 mod lift;
 mod observer;
 mod orders;
 mod pairs;
 mod path;
 mod point;
-mod positivity;
+pub(crate) mod positivity;
 mod proof;
 mod section;
 mod separate;

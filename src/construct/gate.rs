@@ -1,0 +1,68 @@
+//! The input gate: what can be built on, or the exact reason why not.
+
+use crate::certify::complex::{Boundary, MeshView};
+use crate::certify::disjoint::{self, About};
+use crate::certify::{CertifyError, Crossing, Observer};
+use crate::mesh::{self, Connectivity, MeshError, TriMesh};
+use crate::shell::Shell;
+
+/// Why no shell is built.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum BuildError {
+    /// Not an oriented manifold of triangles with area.
+    #[error("{0}; repair the mesh first")]
+    Mesh(#[from] MeshError),
+    /// Triangles that share more than their common vertices.
+    #[error(
+        "the mesh intersects itself: triangles {} and {} meet ({count} such pairs); repair it, or pass \\
+         --allow-self-intersections for a shell that is only locally injective",
+        .first.first, .first.second
+    )]
+    SelfIntersecting {
+        /// The first pair, with a common point.
+        first: Box<Crossing>,
+        /// How many pairs there are.
+        count: u64,
+    },
+    /// Two pinched vertices remain in one prism.
+    #[error("vertices {} and {} would be pinched in one prism", .vertices[0], .vertices[1])]
+    TwoPinched {
+        /// The vertices.
+        vertices: [u32; 2],
+    },
+    /// No thickness was found with which the prisms are positive.
+    #[error("no positive thickness found at vertex {vertex} (mesh triangle {triangle}): {reason}")]
+    NoThickness {
+        /// A vertex of the middle surface.
+        vertex: u32,
+        /// The mesh triangle there.
+        triangle: u32,
+        /// What fails.
+        reason: &'static str,
+    },
+    /// The certifier did not answer.
+    #[error(transparent)]
+    Certify(#[from] CertifyError),
+}
+
+/// Checks the conditions on the input (THEORY section 1 and C6).
+pub(crate) fn check(mesh: &TriMesh, observer: &dyn Observer) -> Result<Connectivity, BuildError> {
+    let valid = mesh::check(mesh)?;
+    let connectivity = valid.connectivity().clone();
+    let boundary = Boundary::new(&connectivity);
+    let view = MeshView {
+        vertices: &mesh.vertices,
+        faces: &mesh.faces,
+        connectivity: &connectivity,
+        boundary: &boundary,
+    };
+    let found = disjoint::decide(&view, &Shell::default(), About::Mesh, observer)?;
+    match found.crossings.first() {
+        None => Ok(connectivity),
+        Some(first) => Err(BuildError::SelfIntersecting {
+            first: Box::new(first.clone()),
+            count: found.crossings.len() as u64,
+        }),
+    }
+}
