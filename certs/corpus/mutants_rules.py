@@ -133,6 +133,9 @@ def hand_made_overlays(m):
       files={"mesh": off("0 0 0/4 0 0/4 4 0", "0 1 2")})
     m("flat-tet", "section-not-positive", "invalid not-positive", "section claimed over a tet of volume exactly 0",
       whole("-positivity section bijection", "begin positivity\ntet 0 m0,m1,t1,t2 0\n" + plain("c 0 1 2\nc 0 2 3")))
+    closed = overlay("0 m0", "1 m1", "2 m2", "3 m3")
+    m("pinched-edge", "section-claimed", "invalid cap", "a section claimed whose mesh runs along an edge between two pinched vertices",
+      whole(SECTION, closed("c 0 1 2\nc 0 3 1\nc 0 2 3\nc 1 3 2")))
     cut = overlay("0 m0", "1 m1", "2 m2,t2", "3 m3,t3", "2,3 m2,t3")("c 0 1 2\nc 0 2 4\nc 0 4 3")
     raised = off("0 0 0/4 0 0/4 4 .5/0 4 .5", SQUARE)
     bent = {"mesh": raised, "top": swap_text("4.0 0.0 1.0", "3.5 0.5 1.0")}

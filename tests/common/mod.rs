@@ -4,7 +4,8 @@
 // Helpers of tests may panic; clippy knows that only inside `#[test]` functions.
 #![allow(clippy::unwrap_used)]
 
-use homeo::certify::{Claim, Options, VertexOrder};
+use homeo::certify::{Claim, Options, Silent, VertexOrder};
+use homeo::construct::InitialOptions;
 use homeo::mesh::TriMesh;
 use homeo::shell::Shell;
 
@@ -183,10 +184,21 @@ fn certified() -> Vec<Case> {
         },
         case("ring", extruded(&rv, &rf, DOWN, UP), mesh(&lifted(&rv, 0.25), &rf), &[], &["d mesh"]),
         pinched(),
-        // Thick enough that boxes of far prisms and triangles meet: stated planes in every block that can hold them.
-        case("thick-ball", radial(&v2, &f2, 0.5, 1.5), mesh(&v2, &f2), &[], &["contact-sep "]),
+        beveled_box(),
         case("coarse-ball", radial(&v1, &f1, 0.625, 1.25), mesh(&v2, &f2), &[], &["d middle 0 0"]),
     ]
+}
+
+/// The initial shell of a leaning box, beveled: rounded points, and stated planes in every block that can hold them.
+fn beveled_box() -> Case {
+    let v: Vec<Point> = (0..8u8).map(|i| [0, 1, 2].map(|k| f64::from(i >> k & 1))).collect();
+    // Leaning, so that edges of prisms pass edges of triangles.
+    let v: Vec<Point> = v.iter().map(|[x, y, z]| [x + 0.75 * y, y + 0.5 * z, z + 0.25 * x]).collect();
+    let sides = [[0u32, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let f: Vec<[u32; 3]> = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let cube = mesh(&v, &f);
+    let built = homeo::construct::initial(&cube, &InitialOptions { thickness: 0.25 }, &Silent).unwrap();
+    case("box", built.shell, cube, &[], &["contact-sep ", "sep "])
 }
 
 /// A fan around a pinched vertex.
