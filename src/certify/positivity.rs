@@ -9,7 +9,8 @@ use super::observer::Observer;
 use super::witness::BadTet;
 use crate::number::dyadic::scale_points;
 use crate::predicate::{StageCounts, orient3d_staged};
-use crate::shell::{Shell, Tet};
+use crate::shell::decomposition::TETS;
+use crate::shell::{Layer, Shell, Slab, Tet};
 
 /// The answer to C1.
 #[derive(Debug, Default)]
@@ -50,11 +51,27 @@ pub(crate) fn decide(shell: &Shell, observer: &dyn Observer) -> Result<Positivit
 }
 
 fn prism(shell: &Shell, prism: u32, out: &mut Positivity) {
-    for tet in shell.prism_tets_unique(prism) {
-        let [a, b, c, d] = tet.names.map(|n| shell.position(n));
-        let sign = out.stages.note(orient3d_staged(a, b, c, d));
-        if !sign.is_positive() {
-            out.bad.push(bad_tet(shell, &tet));
+    let face = shell.faces[prism as usize];
+    if face.iter().any(|&v| shell.is_pinched(v)) {
+        for tet in shell.prism_tets_unique(prism) {
+            let [a, b, c, d] = tet.names.map(|n| shell.position(n));
+            if !out.stages.note(orient3d_staged(a, b, c, d)).is_positive() {
+                out.bad.push(bad_tet(shell, &tet));
+            }
+        }
+        return;
+    }
+    // Without pinched corners the 24 tets are those of the table: no names are needed unless one is bad.
+    let points = |layer: Layer| face.map(|v| &shell.layer(layer)[v as usize]);
+    for slab in Slab::BOTH {
+        let ends = [points(slab.lo()), points(slab.hi())];
+        for (local, tet) in TETS.iter().enumerate() {
+            let [a, b, c, d] =
+                tet.vertices.map(|(corner, is_hi)| ends[usize::from(is_hi)][usize::from(corner)]);
+            if !out.stages.note(orient3d_staged(a, b, c, d)).is_positive() {
+                let named = |t: &Tet| t.slab == slab && usize::from(t.local) == local;
+                out.bad.extend(shell.prism_tets(prism).filter(named).map(|t| bad_tet(shell, &t)));
+            }
         }
     }
 }

@@ -12,11 +12,11 @@ use super::observer::Observer;
 use super::orders::{self, AllOrders};
 use super::positivity::{self, Positivity};
 use super::section::{self, Section};
-use super::witness::NoLift;
+use super::witness::{Branch, Ending, NoLift};
 use super::{CertifyError, write};
 use crate::mesh::{self, Connectivity, TriMesh};
 use crate::predicate::StageCounts;
-use crate::shell::{Shell, VertexOrder, validate};
+use crate::shell::{Layer, Shell, VertexOrder, validate};
 
 /// What to certify.
 #[derive(Clone, Debug)]
@@ -387,20 +387,43 @@ fn no_lift(witness: &NoLift, under: &str, out: &mut ClaimResult) {
                     out.refute("outside", text, Vec::new(), vec![root.face]);
                 }
                 for branch in &root.branches {
-                    let steps = branch.legs.iter().map(|l| l.steps.len()).max().unwrap_or(0);
                     let last = branch.legs.last().and_then(|l| l.steps.last());
                     let face = last.map_or(root.face, |s| s.face);
-                    let tet = last.map(|s| s.tet).or_else(|| branch.legs.first().map(|l| l.start));
-                    let text = format!(
-                        "not a section: {at}, lifted to {}: {} at mesh triangle {face}{} after {steps} steps{under}",
-                        write::names(&branch.carrier),
-                        branch.ending.word(),
-                        tet.map_or_else(String::new, |t| format!(" in tet {}", write::names(&t))),
-                    );
+                    let text = format!("not a section: {}{under}", branch_text(&at, branch, face));
                     out.refute(branch.ending.word(), text, Vec::new(), vec![face]);
                 }
             }
         }
+    }
+}
+
+/// What is wrong with one lift of a root point, in words.
+fn branch_text(at: &str, branch: &Branch, face: u32) -> String {
+    let steps = branch.legs.iter().map(|l| l.steps.len()).max().unwrap_or(0);
+    let carrier = write::names(&branch.carrier);
+    let last = branch.legs.last().and_then(|l| l.steps.last());
+    let tet = last.map(|s| s.tet).or_else(|| branch.legs.first().map(|l| l.start));
+    let tet = tet.map_or_else(String::new, |t| write::names(&t));
+    let way = match steps {
+        0 => at.to_owned(),
+        _ => format!("{at}, lifted to {carrier} and followed for {steps} steps to mesh triangle {face},"),
+    };
+    match branch.ending {
+        Ending::Cap if steps == 0 => {
+            let layer = if branch.carrier.iter().any(|n| n.layer == Layer::Top) { "top" } else { "bottom" };
+            format!("{way} leaves the shell through the {layer} at {carrier}")
+        }
+        Ending::Cap => format!("{way} leaves the shell through bottom or top of tet {tet}"),
+        Ending::Wall => {
+            format!("{way} lies on a boundary wall of the shell, in tet {tet}, but inside the mesh")
+        }
+        Ending::Boundary => {
+            format!("{way} is on the boundary of the mesh, but inside the shell, in tet {tet}")
+        }
+        Ending::Fold => format!("mesh triangle {face} does not face up in tet {tet}: n . V <= 0 at {way}"),
+        Ending::Lands => format!("{way} lifts to tet {tet}, onto a component that another one needs"),
+        Ending::Twice => format!("{way} and another point of the mesh have one image"),
+        Ending::Monodromy => format!("{way} comes back in another tet, {tet}: the lift is not single-valued"),
     }
 }
 
