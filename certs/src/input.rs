@@ -1,0 +1,181 @@
+//! The input files: which are given, OFF and OBJ meshes, and what a shell and a mesh hash to.
+
+use crate::{Res, hdf5, malformed};
+use sha2::{Digest, Sha256};
+
+/// A point as the bits of three finite doubles.
+pub(crate) type Bits = [u64; 3];
+
+/// A triangle mesh as read; indices are in range, coordinates finite.
+#[derive(Default)]
+pub(crate) struct Mesh {
+    pub(crate) points: Vec<Bits>,
+    pub(crate) triangles: Vec<[usize; 3]>,
+}
+
+/// Bottom, middle and top points, and the prisms.
+pub(crate) struct Shell {
+    pub(crate) layers: [Vec<Bits>; 3],
+    pub(crate) prisms: Vec<[usize; 3]>,
+}
+
+/// Reads the one to four files; the mesh that an HDF5 shell holds is read only when it is needed.
+pub(crate) fn read(files: &[Vec<u8>], need_mesh: bool) -> Res<(Shell, Option<Mesh>)> {
+    let named = |i: usize| mesh(&files[i]).map_err(|why| format!("input file {}: {why}", i + 1));
+    let result = match files.len() {
+        1 | 2 => hdf5::shell(&files[0], files.len() == 1 && need_mesh)
+            .map_err(|why| format!("input file 1: {why}"))
+            .and_then(|(shell, own)| Ok((shell, if files.len() == 2 { Some(named(1)?) } else { own }))),
+        3 | 4 => named(0).and_then(|b| {
+            let (m, t) = (named(1)?, named(2)?);
+            let same = |x: &Mesh| x.triangles == b.triangles && x.points.len() == b.points.len();
+            if !same(&m) || !same(&t) {
+                return Err("the three layers differ in connectivity".to_owned());
+            }
+            let shell = Shell { layers: [b.points, m.points, t.points], prisms: b.triangles };
+            Ok((shell, if files.len() == 4 { Some(named(3)?) } else { None }))
+        }),
+        n => Err(format!("{n} input files where one to four are expected")),
+    };
+    match result {
+        Ok((_, None)) if need_mesh => malformed("input", "the claims need a mesh"),
+        Ok(both) => Ok(both),
+        Err(why) => malformed("input", why),
+    }
+}
+
+/// SHA-256 of points and triangles in lower-case hex.
+pub(crate) fn hash(layers: &[&[Bits]], triangles: &[[usize; 3]]) -> String {
+    let mut sha = Sha256::new();
+    for bits in layers.iter().flat_map(|points| points.iter().flatten()) {
+        sha.update(bits.to_le_bytes());
+    }
+    for &id in triangles.iter().flatten() {
+        sha.update((id as u32).to_le_bytes()); // readers refuse larger ids
+    }
+    sha.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Refuses what no mesh may have.
+pub(crate) fn validate(points: &[Bits], triangles: &[[usize; 3]]) -> Result<(), String> {
+    if points.is_empty() {
+        return Err("no vertex".into());
+    }
+    if let Some(i) = points.iter().position(|p| p.iter().any(|bits| bits >> 52 & 0x7ff == 0x7ff)) {
+        return Err(format!("vertex {i} has a coordinate that is not finite"));
+    }
+    match triangles.iter().position(|t| t.iter().any(|&v| v >= points.len() || v > u32::MAX as usize)) {
+        Some(i) => Err(format!("triangle {i} has an index out of range")),
+        None => Ok(()),
+    }
+}
+
+fn is_space(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t'..=b'\r')
+}
+
+fn tokens(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(|&b| is_space(b)).filter(|t| !t.is_empty())
+}
+
+/// An OFF or OBJ file.
+fn mesh(text: &[u8]) -> Result<Mesh, String> {
+    let first = text.split(|&b| b == b'\n').map(uncomment).find_map(|line| tokens(line).next());
+    let mesh = if first.is_some_and(|t| t.starts_with(b"OFF")) { off(text)? } else { obj(text)? };
+    validate(&mesh.points, &mesh.triangles)?;
+    Ok(mesh)
+}
+
+fn uncomment(line: &[u8]) -> &[u8] {
+    line.split(|&b| b == b'#').next().unwrap_or(line)
+}
+
+fn off(text: &[u8]) -> Result<Mesh, String> {
+    let mut lines = text.split(|&b| b == b'\n').map(uncomment).enumerate();
+    let mut line: Vec<&[u8]> = Vec::new(); // the rest of the current line, reversed
+    let mut at = 0;
+    let mut next = |skip: bool| -> Result<&[u8], String> {
+        if skip {
+            line.clear();
+            return Ok(b"");
+        }
+        while line.is_empty() {
+            let (number, rest) = lines.next().ok_or("the file ends early")?;
+            (line, at) = (tokens(rest).collect(), number + 1);
+            line.reverse();
+        }
+        line.pop().ok_or_else(|| format!("line {at}: nothing left"))
+    };
+    if next(false)? != b"OFF" {
+        return Err("the first word is not OFF".into());
+    }
+    let counts = [index(next(false)?)?, index(next(false)?)?, index(next(false)?)?];
+    let mut mesh = Mesh::default();
+    for _ in 0..counts[0] {
+        mesh.points.push([real(next(false)?)?, real(next(false)?)?, real(next(false)?)?]);
+    }
+    for face in 0..counts[1] {
+        if next(false)? != b"3" {
+            return Err(format!("face {face} is not a triangle"));
+        }
+        mesh.triangles.push([index(next(false)?)?, index(next(false)?)?, index(next(false)?)?]);
+        next(true)?;
+    }
+    Ok(mesh)
+}
+
+fn obj(text: &[u8]) -> Result<Mesh, String> {
+    let mut mesh = Mesh::default();
+    for (number, line) in text.split(|&b| b == b'\n').enumerate() {
+        let fail = |why: &str| format!("line {}: {why}", number + 1);
+        let mut words = tokens(line);
+        match words.next() {
+            Some(b"v") => {
+                let mut coordinate = || real(words.next().unwrap_or(b"")).map_err(|why| fail(&why));
+                mesh.points.push([coordinate()?, coordinate()?, coordinate()?]);
+            }
+            Some(b"f") => {
+                let mut corner = || {
+                    let word = words.next().unwrap_or(b"").split(|&b| b == b'/').next().unwrap_or(b"");
+                    let id = index(word).map_err(|why| fail(&why))?;
+                    id.checked_sub(1).ok_or_else(|| fail("an index is not positive"))
+                };
+                mesh.triangles.push([corner()?, corner()?, corner()?]);
+                if words.next().is_some() {
+                    return Err(fail("a face is not a triangle"));
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(mesh)
+}
+
+fn index(word: &[u8]) -> Result<usize, String> {
+    let text = std::str::from_utf8(word).unwrap_or("");
+    match text.parse() {
+        Ok(value) if word.iter().all(u8::is_ascii_digit) => Ok(value),
+        _ => Err("a word is not an index or count".into()),
+    }
+}
+
+/// `[+-]?digits[.digits][e[+-]digits]`, rounded to the nearest double.
+fn real(word: &[u8]) -> Result<u64, String> {
+    let digits = |part: &[u8]| part.iter().all(u8::is_ascii_digit);
+    let unsigned = |part: &'_ [u8]| usize::from(matches!(part.first(), Some(b'+' | b'-')));
+    let body = &word[unsigned(word)..];
+    let (mantissa, exponent) = match body.iter().position(|b| matches!(b, b'e' | b'E')) {
+        Some(at) => (&body[..at], Some(&body[at + 1..])),
+        None => (body, None),
+    };
+    let (whole, part) = match mantissa.iter().position(|&b| b == b'.') {
+        Some(at) => (&mantissa[..at], &mantissa[at + 1..]),
+        None => (mantissa, &mantissa[..0]),
+    };
+    let tail = exponent.map(|e| &e[unsigned(e)..]);
+    let fits = digits(whole) && digits(part) && (whole.len() + part.len() > 0);
+    match std::str::from_utf8(word).unwrap_or("").parse::<f64>() {
+        Ok(value) if fits && tail.is_none_or(|e| !e.is_empty() && digits(e)) => Ok(value.to_bits()),
+        _ => Err("a word is not a number".into()),
+    }
+}

@@ -1,0 +1,231 @@
+//! One line's tokens. Syntax errors come at once; digits and ranges are judged when the line is finished.
+
+use crate::{Res, fail, malformed};
+use num_bigint::BigInt;
+use num_traits::Zero;
+use std::iter::Peekable;
+use std::str::Split;
+
+/// A tet as its four names, ascending. A shell point's name `(id, layer)` is the number `3 id + layer`.
+pub(crate) type Tet = [usize; 4];
+
+/// A point of a plane: a shell name, or a mesh vertex.
+#[derive(Clone, Copy)]
+pub(crate) enum Point {
+    Shell(usize),
+    Mesh(usize),
+}
+
+/// A plane as written.
+#[derive(Clone, Copy)]
+pub(crate) enum Plane {
+    Through(Point, Point, Point),
+    Line(Point, Point),
+    Normal(Point, Point),
+}
+
+/// `odd * 2^exp` with `odd` odd, or zero with `exp = 0`.
+#[derive(PartialEq, Eq)]
+pub(crate) struct Value {
+    pub(crate) odd: BigInt,
+    pub(crate) exp: i64,
+}
+
+impl Value {
+    pub(crate) fn new(number: &BigInt, exp: i64) -> Self {
+        let zeros = number.trailing_zeros().unwrap_or(0);
+        let exp = if number.is_zero() { 0 } else { exp + zeros.cast_signed() };
+        Self { odd: number >> zeros, exp }
+    }
+}
+
+/// How many there are of each kind of thing.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Bounds {
+    pub(crate) shell: usize,
+    pub(crate) prisms: usize,
+    pub(crate) mesh: usize,
+    pub(crate) triangles: usize,
+}
+
+pub(crate) struct Line<'a> {
+    pub(crate) at: usize,
+    pub(crate) bounds: Bounds,
+    tokens: Peekable<Split<'a, char>>,
+    too_long: bool,
+    out_of_range: Option<usize>,
+}
+
+/// `0|[1-9][0-9]*`.
+fn is_number(text: &str) -> bool {
+    text == "0" || (!text.starts_with('0') && !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()))
+}
+
+impl<'a> Line<'a> {
+    pub(crate) fn new(text: &'a str, at: usize, bounds: Bounds) -> Self {
+        Self { at, bounds, tokens: text.split(' ').peekable(), too_long: false, out_of_range: None }
+    }
+
+    pub(crate) fn syntax<T>(&self) -> Res<T> {
+        malformed("syntax", format!("line {} does not fit the grammar", self.at))
+    }
+
+    pub(crate) fn require(&self, ok: bool) -> Res {
+        if ok { Ok(()) } else { self.syntax() }
+    }
+
+    pub(crate) fn next(&mut self) -> Res<&'a str> {
+        match self.tokens.next() {
+            Some(token) => Ok(token),
+            None => self.syntax(),
+        }
+    }
+
+    pub(crate) fn more(&mut self) -> bool {
+        self.tokens.peek().is_some()
+    }
+
+    pub(crate) fn expect(&mut self, word: &str) -> Res {
+        let token = self.next()?;
+        self.require(token == word)
+    }
+
+    /// Nothing may be left; then the digits, then the ranges are judged.
+    pub(crate) fn finish(&mut self) -> Res {
+        let left = self.more();
+        self.require(!left)?;
+        if self.too_long {
+            return fail(3, "digits", format!("line {}: a number has more than 4000 digits", self.at));
+        }
+        match self.out_of_range {
+            Some(id) => malformed("range", format!("line {}: {id} is out of range", self.at)),
+            None => Ok(()),
+        }
+    }
+
+    fn id_in(&mut self, text: &str, bound: usize) -> Res<usize> {
+        match text.parse() {
+            Ok(id) if is_number(text) && text.len() <= 10 => {
+                if id >= bound {
+                    self.out_of_range.get_or_insert(id);
+                }
+                Ok(id)
+            }
+            _ => self.syntax(),
+        }
+    }
+
+    /// An id that must be below `bound`.
+    pub(crate) fn id(&mut self, bound: usize) -> Res<usize> {
+        let token = self.next()?;
+        self.id_in(token, bound)
+    }
+
+    /// All ids that are left, at least one, none twice.
+    pub(crate) fn distinct_ids(&mut self, bound: usize) -> Res<Vec<usize>> {
+        let mut ids = vec![self.id(bound)?];
+        while self.more() {
+            ids.push(self.id(bound)?);
+        }
+        let sorted = crate::complex::distinct(&ids);
+        self.require(sorted.len() == ids.len())?;
+        Ok(ids)
+    }
+
+    /// One to three mesh vertices, ascending.
+    pub(crate) fn mesh_ids(&mut self) -> Res<Vec<usize>> {
+        let token = self.next()?;
+        let ids = token.split(',').map(|t| self.id_in(t, self.bounds.mesh)).collect::<Res<Vec<_>>>()?;
+        self.require(ids.len() <= 3 && ids.is_sorted_by(|a, b| a < b))?;
+        Ok(ids)
+    }
+
+    fn name(&mut self, text: &str) -> Res<usize> {
+        let layer = match text.as_bytes().first() {
+            Some(b'b') => 0,
+            Some(b'm') => 1,
+            Some(b't') => 2,
+            _ => return self.syntax(),
+        };
+        Ok(3 * self.id_in(&text[1..], self.bounds.shell)? + layer)
+    }
+
+    /// One or more names, ascending.
+    pub(crate) fn names(&mut self) -> Res<Vec<usize>> {
+        let token = self.next()?;
+        let names = token.split(',').map(|t| self.name(t)).collect::<Res<Vec<_>>>()?;
+        self.require(names.is_sorted_by(|a, b| a < b))?;
+        Ok(names)
+    }
+
+    pub(crate) fn tet(&mut self) -> Res<Tet> {
+        let names = self.names()?;
+        names.try_into().or_else(|_| self.syntax())
+    }
+
+    fn big(&mut self, text: &str) -> Res<BigInt> {
+        self.require(is_number(text))?;
+        if text.len() > 4000 {
+            self.too_long = true;
+            return Ok(BigInt::from(1));
+        }
+        text.parse().or_else(|_| self.syntax())
+    }
+
+    pub(crate) fn value(&mut self) -> Res<Value> {
+        let token = self.next()?;
+        if token == "0" {
+            return Ok(Value { odd: BigInt::zero(), exp: 0 });
+        }
+        let (body, exp) = match token.split_once("*2^") {
+            Some((body, exp)) => {
+                let digits = exp.strip_prefix('-').unwrap_or(exp);
+                self.require(is_number(digits) && digits != "0" && digits.len() <= 5)?;
+                (body, exp.parse().or_else(|_| self.syntax())?)
+            }
+            None => (token, 0),
+        };
+        let digits = body.strip_prefix('-').unwrap_or(body);
+        let odd = self.big(digits)?;
+        self.require(digits.ends_with(['1', '3', '5', '7', '9']))?;
+        Ok(Value { odd: if digits.len() < body.len() { -odd } else { odd }, exp })
+    }
+
+    /// An `ID` (`INT` if `negative` is allowed) of the `topology` line.
+    pub(crate) fn signed(&mut self, negative: bool) -> Res<i128> {
+        let token = self.next()?;
+        let digits = if negative { token.strip_prefix('-').unwrap_or(token) } else { token };
+        self.require(is_number(digits) && digits.len() <= 10 && (digits != "0" || token == "0"))?;
+        token.parse().or_else(|_| self.syntax())
+    }
+
+    pub(crate) fn plane(&mut self) -> Res<Plane> {
+        let token = self.next()?;
+        let Some((kind, points)) = token.split_once(':') else { return self.syntax() };
+        let points = points.split(',').map(|t| self.point(t)).collect::<Res<Vec<_>>>()?;
+        match (kind, points.as_slice()) {
+            ("p", &[a, b, c]) => Ok(Plane::Through(a, b, c)),
+            ("l", &[a, b]) => Ok(Plane::Line(a, b)),
+            ("n", &[a, b]) => Ok(Plane::Normal(a, b)),
+            _ => self.syntax(),
+        }
+    }
+
+    fn point(&mut self, text: &str) -> Res<Point> {
+        match text.strip_prefix('g') {
+            Some(id) => Ok(Point::Mesh(self.id_in(id, self.bounds.mesh)?)),
+            None => Ok(Point::Shell(self.name(text)?)),
+        }
+    }
+}
+
+/// `n` weights, not all zero.
+pub(crate) fn weights(line: &mut Line<'_>, n: usize) -> Res<Vec<BigInt>> {
+    let mut out = Vec::new();
+    for _ in 0..n {
+        let token = line.next()?;
+        out.push(line.big(token)?);
+    }
+    line.require(out.iter().any(|w| !w.is_zero()))?;
+    Ok(out)
+}

@@ -1,0 +1,451 @@
+//! The certificate's grammar (FORMAT section 2) and the checks of a certificate file alone (section 3).
+
+use crate::line::{Bounds, Line, Plane, Tet, Value, weights};
+use crate::{Fail, Res, fail, malformed};
+use num_bigint::BigInt;
+use std::collections::HashSet;
+
+pub(crate) const CLAIMS: [&str; 8] = [
+    "positivity",
+    "section",
+    "bijection",
+    "section-all-orders",
+    "disjoint-mesh",
+    "disjoint-bottom",
+    "disjoint-top",
+    "i2",
+];
+
+/// What a `shell` or `mesh` line states.
+#[derive(Clone, Default)]
+pub(crate) struct Stated {
+    pub(crate) sha: String,
+    pub(crate) vertices: usize,
+    pub(crate) faces: usize,
+}
+
+#[derive(Default)]
+pub(crate) struct Cert {
+    pub(crate) claims: Vec<(&'static str, bool)>,
+    pub(crate) shell: Stated,
+    pub(crate) mesh: Option<Stated>,
+    pub(crate) order: Option<Vec<usize>>,
+    pub(crate) pinched: (usize, Vec<usize>),
+    pub(crate) blocks: Vec<Block>,
+    /// The claims that have a block, in the order of the blocks.
+    pub(crate) owners: Vec<&'static str>,
+}
+
+pub(crate) enum Block {
+    Positivity(Vec<TetFact>),
+    Overlay(Overlay),
+    /// The ids of the `first` line (none in `no-section`).
+    NoLift(Vec<usize>, Witness),
+    Separated(Vec<Separation>),
+    Crossing(Vec<Crossing>),
+}
+
+pub(crate) struct TetFact {
+    pub(crate) line: usize,
+    pub(crate) prism: usize,
+    pub(crate) tet: Tet,
+    pub(crate) value: Value,
+}
+
+#[derive(Default)]
+pub(crate) struct Overlay {
+    /// Line, mesh vertices, names.
+    pub(crate) corners: Vec<(usize, Vec<usize>, Vec<usize>)>,
+    pub(crate) cells: Vec<(usize, Vec<usize>)>,
+    /// Line, cell, fan triangle; for the mesh, for the middle complex.
+    pub(crate) degree: [Vec<(usize, usize, usize)>; 2],
+}
+
+/// A `sep` or `contact-sep` line (`tet` only in the latter).
+pub(crate) struct Separation {
+    pub(crate) line: usize,
+    pub(crate) pair: (usize, usize),
+    pub(crate) tet: Option<Tet>,
+    pub(crate) planes: Vec<Plane>,
+}
+
+/// A `cross` or `contact` line: weights of the first triangle, of the other corners or names.
+pub(crate) struct Crossing {
+    pub(crate) line: usize,
+    pub(crate) pair: (usize, usize),
+    pub(crate) first: Vec<BigInt>,
+    pub(crate) second: Vec<BigInt>,
+    pub(crate) contact: Option<(Tet, Value)>,
+}
+
+pub(crate) enum Witness {
+    Topology(usize, bool, [i128; 2]),
+    Tet(TetFact),
+    Roots(Vec<Root>),
+}
+
+/// A point on a triangle of `T`.
+pub(crate) struct At {
+    pub(crate) line: usize,
+    pub(crate) triangle: usize,
+    pub(crate) weights: Vec<BigInt>,
+}
+
+pub(crate) struct Root {
+    pub(crate) at: At,
+    pub(crate) branches: Vec<Branch>,
+}
+
+pub(crate) struct Branch {
+    pub(crate) line: usize,
+    pub(crate) names: Vec<usize>,
+    pub(crate) legs: Vec<Leg>,
+    pub(crate) reason: &'static str,
+}
+
+pub(crate) struct Leg {
+    pub(crate) line: usize,
+    pub(crate) start: Tet,
+    pub(crate) steps: Vec<(At, Tet)>,
+}
+
+struct Parser<'a> {
+    rest: &'a str,
+    at: usize,
+    bounds: Bounds,
+}
+
+/// Reads and judges a certificate file.
+pub(crate) fn parse(bytes: &[u8]) -> Res<Cert> {
+    if bytes.len() > 1 << 30 {
+        return fail(3, "size", "the certificate is larger than 2^30 bytes");
+    }
+    let bad = bytes.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e));
+    let text = match (bad, std::str::from_utf8(bytes)) {
+        (None, Ok(text)) => text,
+        (bad, _) => return malformed("bytes", format!("byte {} is not allowed", bad.unwrap_or(0))),
+    };
+    if text != "end\n" && !text.ends_with("\nend\n") {
+        return malformed("truncated", "the last line is not `end`");
+    }
+    let mut parser = Parser { rest: text, at: 0, bounds: Bounds::default() };
+    if parser.raw() != Some("homeo-certificate 1") {
+        return malformed("magic", "line 1 is not `homeo-certificate 1`");
+    }
+    parser.cert()
+}
+
+impl<'a> Parser<'a> {
+    fn raw(&mut self) -> Option<&'a str> {
+        let (line, rest) = self.rest.split_once('\n')?;
+        self.rest = rest;
+        self.at += 1;
+        Some(line)
+    }
+
+    /// The next line, which must start with `word`.
+    fn line(&mut self, word: &str) -> Res<Line<'a>> {
+        let mut line = Line::new(self.raw().unwrap_or(""), self.at, self.bounds);
+        line.expect(word)?;
+        Ok(line)
+    }
+
+    fn peek(&self, word: &str) -> bool {
+        let line = self.rest.split('\n').next().unwrap_or("");
+        line.split(' ').next() == Some(word)
+    }
+
+    /// One or more lines (zero or more if `optional`) that start with `word`.
+    fn list<T>(
+        &mut self,
+        word: &str,
+        optional: bool,
+        mut read: impl FnMut(&mut Line<'a>) -> Res<T>,
+    ) -> Res<Vec<T>> {
+        let mut out = Vec::new();
+        while self.peek(word) || (out.is_empty() && !optional) {
+            let mut line = self.line(word)?;
+            out.push(read(&mut line)?);
+        }
+        Ok(out)
+    }
+
+    fn cert(&mut self) -> Res<Cert> {
+        let mut cert = Cert::default();
+        let mut from = 0;
+        cert.claims = self.list("claim", false, |line| {
+            let name = line.next()?;
+            let Some(at) = CLAIMS[from..].iter().position(|c| *c == name) else { return line.syntax() };
+            from += at + 1;
+            let verdict = line.next()?;
+            if verdict != "certified" && verdict != "refuted" {
+                return line.syntax();
+            }
+            line.finish()?;
+            Ok((CLAIMS[from - 1], verdict == "certified"))
+        })?;
+        let claim = |name: &str| cert.claims.iter().find(|c| c.0 == name).map(|c| c.1);
+        let plan = plan(claim)?;
+        cert.shell = self.stated("shell")?;
+        (self.bounds.shell, self.bounds.prisms) = (cert.shell.vertices, cert.shell.faces);
+        if cert.claims != [("positivity", true)] && cert.claims != [("positivity", false)] {
+            let mesh = self.stated("mesh")?;
+            (self.bounds.mesh, self.bounds.triangles) = (mesh.vertices, mesh.faces);
+            cert.mesh = Some(mesh);
+        }
+        cert.order = self.order()?;
+        let mut line = self.line("pinched")?;
+        let count = line.id(usize::MAX)?;
+        let mut ids = Vec::new();
+        while line.more() {
+            ids.push(line.id(self.bounds.shell)?);
+        }
+        line.require(ids.is_sorted_by(|a, b| a < b))?;
+        line.finish()?;
+        cert.pinched = (count, ids);
+        let mut counts = Vec::new();
+        for (name, verdict, owner) in plan {
+            let mut line = self.line("begin")?;
+            line.expect(name)?;
+            line.finish()?;
+            let before = self.at;
+            cert.blocks.push(self.block(name, verdict)?);
+            counts.push(self.at - before);
+            cert.owners.push(owner);
+        }
+        let mut line = self.line("counts")?;
+        let mut stated = Vec::new();
+        while line.more() {
+            stated.push(line.id(usize::MAX)?);
+        }
+        line.finish()?;
+        if stated != counts {
+            return malformed("counts", format!("line {}: the counts are {counts:?}", self.at));
+        }
+        self.line("end")?.finish()?;
+        if self.rest.is_empty() { Ok(cert) } else { Line::new("", self.at + 1, self.bounds).syntax() }
+    }
+
+    fn stated(&mut self, word: &str) -> Res<Stated> {
+        let mut line = self.line(word)?;
+        let sha = line.next()?;
+        line.require(sha.len() == 64 && sha.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f')))?;
+        let (vertices, faces) = (line.id(usize::MAX)?, line.id(usize::MAX)?);
+        line.finish()?;
+        Ok(Stated { sha: sha.to_owned(), vertices, faces })
+    }
+
+    fn order(&mut self) -> Res<Option<Vec<usize>>> {
+        let mut line = self.line("order")?;
+        let kind = line.next()?;
+        if kind == "id" {
+            line.finish()?;
+            return Ok(None);
+        }
+        line.require(kind == "list")?;
+        let ids = line.distinct_ids(self.bounds.shell)?;
+        let identity = ids.iter().enumerate().all(|(i, &id)| i == id);
+        line.require(ids.len() == self.bounds.shell && !identity)?;
+        line.finish()?;
+        Ok(Some(ids))
+    }
+
+    fn block(&mut self, name: &str, certified: bool) -> Res<Block> {
+        Ok(match name {
+            "positivity" => Block::Positivity(self.list("tet", false, tet_fact)?),
+            "overlay" => Block::Overlay(self.overlay()?),
+            "no-section" => Block::NoLift(Vec::new(), self.witness()?),
+            "no-order" => {
+                let mut line = self.line("first")?;
+                let ids = line.distinct_ids(self.bounds.shell)?;
+                line.finish()?;
+                Block::NoLift(ids, self.witness()?)
+            }
+            _ if certified => {
+                let mut last = None;
+                let word = if name == "i2" { "contact-sep" } else { "sep" };
+                Block::Separated(self.list(word, true, |line| separation(line, name, &mut last))?)
+            }
+            "i2" => Block::Crossing(self.list("contact", false, |line| {
+                let pair = (line.id(line.bounds.triangles)?, line.id(line.bounds.prisms)?);
+                let tet = line.tet()?;
+                let (first, second) = (weights(line, 3)?, weights(line, 4)?);
+                let contact = Some((tet, line.value()?));
+                line.finish()?;
+                Ok(Crossing { line: line.at, pair, first, second, contact })
+            })?),
+            _ => Block::Crossing(self.list("cross", false, |line| {
+                let pair = pair(line, name)?;
+                let (first, second) = (weights(line, 3)?, weights(line, 3)?);
+                line.finish()?;
+                Ok(Crossing { line: line.at, pair, first, second, contact: None })
+            })?),
+        })
+    }
+
+    fn overlay(&mut self) -> Res<Overlay> {
+        let mut seen = HashSet::new();
+        let corners = self.list("v", false, |line| {
+            let ids = line.mesh_ids()?;
+            let names = line.names()?;
+            line.finish()?;
+            if !seen.insert((ids.clone(), names.clone())) {
+                return malformed("duplicate", format!("line {} repeats an earlier one", line.at));
+            }
+            Ok((line.at, ids, names))
+        })?;
+        let cells = self.list("c", false, |line| {
+            let ids = line.distinct_ids(corners.len())?;
+            line.require(ids.len() >= 3)?;
+            line.finish()?;
+            Ok((line.at, ids))
+        })?;
+        let mut degree = [Vec::new(), Vec::new()];
+        for (kind, list) in ["mesh", "middle"].iter().zip(&mut degree) {
+            while list.is_empty()
+                || (*kind == "mesh" && self.rest.starts_with("d mesh "))
+                || *kind == "middle" && self.peek("d")
+            {
+                let mut line = self.line("d")?;
+                line.expect(kind)?;
+                let cell = line.id(cells.len())?;
+                let fans = cells.get(cell).map_or(usize::MAX, |c: &(usize, Vec<usize>)| c.1.len() - 2);
+                let fan = line.id(fans)?;
+                line.finish()?;
+                list.push((line.at, cell, fan));
+            }
+        }
+        Ok(Overlay { corners, cells, degree })
+    }
+
+    fn witness(&mut self) -> Res<Witness> {
+        if self.peek("topology") {
+            let mut line = self.line("topology")?;
+            let kind = line.next()?;
+            line.require(kind == "components" || kind == "euler")?;
+            let both = [line.signed(kind == "euler")?, line.signed(kind == "euler")?];
+            line.finish()?;
+            return Ok(Witness::Topology(line.at, kind == "euler", both));
+        }
+        if self.peek("tet") {
+            return Ok(Witness::Tet(tet_fact(&mut self.line("tet")?)?));
+        }
+        let mut roots = Vec::new();
+        while roots.is_empty() || self.peek("root") {
+            let mut line = self.line("root")?;
+            let at = at(&mut line)?;
+            line.finish()?;
+            let mut branches: Vec<Branch> = Vec::new();
+            while self.peek("branch") {
+                let branch = self.branch(branches.last())?;
+                branches.push(branch);
+            }
+            roots.push(Root { at, branches });
+        }
+        Ok(Witness::Roots(roots))
+    }
+
+    fn branch(&mut self, last: Option<&Branch>) -> Res<Branch> {
+        let mut line = self.line("branch")?;
+        let names = line.names()?;
+        line.require(last.is_none_or(|b| b.names < names))?;
+        line.finish()?;
+        let mut legs = vec![self.leg()?];
+        if self.peek("start") {
+            legs.push(self.leg()?);
+        }
+        let allowed: &[&'static str] = if legs.len() == 1 {
+            &["cap", "wall", "boundary", "fold", "lands"]
+        } else {
+            &["twice", "monodromy"]
+        };
+        let mut last = Line::new(self.raw().unwrap_or(""), self.at, self.bounds);
+        let word = last.next()?;
+        let Some(reason) = allowed.iter().find(|r| **r == word) else { return last.syntax() };
+        last.finish()?;
+        Ok(Branch { line: line.at, names, legs, reason })
+    }
+
+    fn leg(&mut self) -> Res<Leg> {
+        let mut line = self.line("start")?;
+        let start = line.tet()?;
+        line.finish()?;
+        let steps = self.list("step", true, |line| {
+            let at = at(line)?;
+            let tet = line.tet()?;
+            line.finish()?;
+            Ok((at, tet))
+        })?;
+        Ok(Leg { line: line.at, start, steps })
+    }
+}
+
+/// The blocks that the claims need, the verdict that each is about, the claim that has it; or `malformed claims`.
+fn plan(claim: impl Fn(&str) -> Option<bool>) -> Res<Vec<(&'static str, bool, &'static str)>> {
+    let section = claim("section");
+    let fits = |name: &str, needs: &[&str]| {
+        let all = needs.iter().try_fold(true, |all, need| claim(need).map(|yes| all && yes));
+        claim(name).is_none_or(|verdict| all.is_some_and(|all| all || !verdict))
+    };
+    if section != claim("bijection")
+        || !fits("section-all-orders", &["positivity", "section"])
+        || !fits("i2", &["section-all-orders", "disjoint-bottom", "disjoint-top"])
+    {
+        return malformed("claims", "the claims do not fit together");
+    }
+    let yes = |names: &[&str]| names.iter().all(|n| claim(n) == Some(true));
+    let mut plan = Vec::new();
+    let mut add =
+        |name, present: bool, verdict, owner| plan.extend(present.then_some((name, verdict, owner)));
+    add("positivity", claim("positivity") == Some(false), false, "positivity");
+    add("overlay", section == Some(true), true, "section");
+    add("no-section", section == Some(false), false, "section");
+    let no_order = claim("section-all-orders") == Some(false) && yes(&["positivity", "section"]);
+    add("no-order", no_order, false, "section-all-orders");
+    for name in ["disjoint-mesh", "disjoint-bottom", "disjoint-top"] {
+        add(name, claim(name).is_some(), claim(name) == Some(true), name);
+    }
+    let i2 = claim("i2");
+    let own =
+        i2.is_some() && (i2 == Some(true) || yes(&["section-all-orders", "disjoint-bottom", "disjoint-top"]));
+    add("i2", own, i2 == Some(true), "i2");
+    Ok(plan)
+}
+
+fn tet_fact(line: &mut Line<'_>) -> Res<TetFact> {
+    let (prism, tet, value) = (line.id(line.bounds.prisms)?, line.tet()?, line.value()?);
+    line.finish()?;
+    Ok(TetFact { line: line.at, prism, tet, value })
+}
+
+fn at(line: &mut Line<'_>) -> Res<At> {
+    Ok(At { line: line.at, triangle: line.id(line.bounds.triangles)?, weights: weights(line, 3)? })
+}
+
+/// The `(i, j)` of a `sep` or `cross` line of the block `name`.
+fn pair(line: &mut Line<'_>, name: &str) -> Result<(usize, usize), Fail> {
+    let mesh = name == "disjoint-mesh";
+    let i = line.id(line.bounds.triangles)?;
+    let j = line.id(if mesh { line.bounds.triangles } else { line.bounds.prisms })?;
+    line.require(!mesh || i < j)?;
+    Ok((i, j))
+}
+
+type Key = (usize, usize, Option<Tet>);
+
+fn separation(line: &mut Line<'_>, name: &str, last: &mut Option<Key>) -> Res<Separation> {
+    let (pair, tet) = if name == "i2" {
+        ((line.id(line.bounds.triangles)?, line.id(line.bounds.prisms)?), Some(line.tet()?))
+    } else {
+        (pair(line, name)?, None)
+    };
+    let key = Some((pair.0, pair.1, tet));
+    line.require(*last < key)?;
+    *last = key;
+    let mut planes = vec![line.plane()?];
+    while line.more() {
+        planes.push(line.plane()?);
+    }
+    line.finish()?;
+    Ok(Separation { line: line.at, pair, tet, planes })
+}
