@@ -6,13 +6,7 @@ Every decision is made on Python integers: all coordinates are multiplied by one
 is an integer that names a point: 3 * vertex + layer (b 0, m 1, t 2) for a shell name, ~v for mesh vertex v.
 Exit codes: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
 """
-import functools
-import hashlib
-import itertools
-import math
-import re
-import struct
-import sys
+import functools, hashlib, itertools, math, re, struct, sys
 
 LIMIT, DIGITS = 2 ** 30, 4000
 ascending = lambda items: all(a < b for a, b in zip(items, items[1:]))
@@ -25,7 +19,8 @@ def need(condition, code, why="", kind="invalid"):
     """Stops with `code` unless the condition holds."""
     if not condition:
         raise Stop(kind, code, why)
-
+def fit(condition, why=""):
+    need(condition, "input", why, "malformed")
 def read_file(path, code, size, kind):
     """All bytes of a file, else `malformed code`; `kind size` if there are more than LIMIT."""
     try:
@@ -36,36 +31,34 @@ def read_file(path, code, size, kind):
     need(len(data) <= LIMIT, size, f"{path!a} is too large", kind)
     return data
 
-# ------------------------------------------------- section 2, and "Certificate file" of section 3
+# ---- section 2, and "Certificate file" of section 3
 CLAIMS = "positivity section bijection section-all-orders disjoint-mesh disjoint-bottom disjoint-top i2".split()
-ID, W = "(?:0|[1-9][0-9]{0,9})", "(?:0|[1-9][0-9]*)"
-NAME, POINT = "[bmt]" + ID, "[bmtg]" + ID
-number = lambda text: int(text[:DIGITS + 2])  # numbers that are cut short are over the limit
+ID, W, NAME = "(?:0|[1-9][0-9]{0,9})", "(?:0|[1-9][0-9]*)", "[bmt](?:0|[1-9][0-9]{0,9})"
+number = lambda text: int(text[:DIGITS + 2])  # numbers that are cut short are over the limit of digits
 numbers = lambda text: tuple(map(number, text.split(" ")))
 tag = lambda text: ~int(text[1:]) if text[0] == "g" else 3 * int(text[1:]) + "bmt".index(text[0])
 tags = lambda text: tuple(map(tag, text.split(",")))
-FIELDS = {  # kind: regular expression and meaning of a field
+FIELDS = {  # kind: regular expression and value of a field
     **dict.fromkeys("IVTPGCD", (ID, int)),  # any ID; V shell vertex, T triangle, P prism, C `v` line, D `c` line
     "K": ("|".join(CLAIMS), str), "R": ("certified|refuted", str), "H": ("[0-9a-f]{64}", str),
     "A": (rf"(?!0 0 0\b){W} {W} {W}", numbers), "B": (rf"(?!0 0 0 0\b){W} {W} {W} {W}", numbers),  # weights
-    "J": ("0|-?[1-9][0-9]{0,9}", int),  # INT
-    "X": (r"0|-?(?:[1-9][0-9]*)?[13579](?:\*2\^-?[1-9][0-9]{0,4})?",  # VALUE
+    "J": ("0|-?[1-9][0-9]{0,9}", int),  # INT, and VALUE as (odd, exponent):
+    "X": (r"0|-?(?:[1-9][0-9]*)?[13579](?:\*2\^-?[1-9][0-9]{0,4})?",
           lambda text: tuple(map(number, (text + "*2^0").split("*2^")[:2]))),
     "S": (f"{ID}(?:,{ID}){{0,2}}", lambda text: tuple(map(int, text.split(",")))),  # TIDS
-    "N": (f"{NAME}(?:,{NAME})*", tags), "Q": (f"{NAME}(?:,{NAME}){{3}}", tags),  # NAMES, TET
-    "L": (f"(?:p:{POINT},{POINT}|[ln]:{POINT}),{POINT}", lambda text: (text[0], tags(text[2:])))}  # PLANE
+    "N": (f"{NAME}(?:,{NAME})*", tags), "Q": (f"{NAME}(?:,{NAME}){{3}}", tags),  # NAMES, TET, and PLANE:
+    "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID), lambda text: (text[0], tags(text[2:])))}
 
 @functools.lru_cache(None)
 def grammar(spec):
-    """A line's expression, a group for each field, and its fields; after a kind may stand a number of times."""
+    """A line's expression, a group for each field, and its fields; a number of times may follow a field's kind."""
     words = [(word[0], word[1:]) if word[0] in FIELDS else ("", word) for word in spec.split(" ")]
-    parts = [(rf"((?: (?:{FIELDS[kind][0]})){rest})" if rest else f" ({FIELDS[kind][0]})") if kind else " " + rest
+    parts = [" " + rest if not kind else rf"((?: (?:{FIELDS[kind][0]})){rest})" if rest else f" ({FIELDS[kind][0]})"
              for kind, rest in words]
     return re.compile(("\n" + "".join(parts)[1:] + "(?=\n)").encode()), [word for word in words if word[0]]
 
 class Certificate:
     """Reads a certificate: `claims`, `shell`, `mesh`, `order`, `pinched`, `blocks` are what it says."""
-
     def __init__(self, data):
         self.data, self.at, self.row, self.bound, self.blocks, counts = data, 19, 1, {}, {}, []
         self.ok(not re.search(rb"[^\n\x20-\x7e]", data), "bytes")
@@ -89,46 +82,37 @@ class Certificate:
         self.ok(self.line("counts I*") == [counts], "counts")
         self.line("end")
         self.ok(self.at == len(data) - 1)
-
     def ok(self, condition, code="syntax", kind="malformed"):
         need(condition, code, f"line {self.row}", kind)
-
     def ahead(self, words):
         return re.compile(f"\n{words}[ \n]".encode()).match(self.data, self.at)
-
     def line(self, spec, good=lambda fields: True):
-        """The fields of the next line, checked for syntax, then digits, then range."""
+        """The fields of the next line, checked for syntax, then digits, then range; `at` is the LF before it."""
         pattern, kinds = grammar(spec)
-        match, self.row, fields, items = pattern.match(self.data, self.at), self.row + 1, [], []
+        match, self.row = pattern.match(self.data, self.at), self.row + 1
         self.ok(match)
-        self.at = match.end()  # the LF that ends the line
-        for (kind, rest), text in zip(kinds, match.groups()):
-            texts = text.decode().split(" ")[1:] if rest else [text.decode()]
-            values = [FIELDS[kind][1](x) for x in texts]
-            fields.append(values if rest else values[0])
-            items += [(kind, value) for value in values]
+        self.at, read = match.end(), lambda kind, text: FIELDS[kind][1](text)
+        fields = [[read(k, x) for x in text.decode().split(" ")[1:]] if times else read(k, text.decode())
+                  for (k, times), text in zip(kinds, match.groups())]
+        items = [(k, x) for (k, times), value in zip(kinds, fields) for x in (value if times else [value])]
         self.ok(all(ascending(value) for kind, value in items if kind in "NQS") and good(fields))
         self.ok(not re.search(rb"(?<![0-9])[0-9]{%d}" % (DIGITS + 1), match[0]), "digits", "limit")
         self.ok(all(self.in_range(*item) for item in items), "range")
         return fields
-
     def in_range(self, kind, value):
         points = value if kind in "NQ" else value[1] if kind == "L" else [~v for v in value] if kind == "S" else ()
         return (all(-self.bound["G"] <= p < 3 * self.bound["V"] for p in points)
                 and (kind not in self.bound or value < self.bound[kind]))
-
     def many(self, spec, least=1, good=lambda fields, previous: True):
         """`least` or more lines that start with the first word of spec."""
-        lines, word = [], spec.split(" ")[0]
-        while len(lines) < least or self.ahead(word):
+        lines = []
+        while len(lines) < least or self.ahead(spec.split(" ")[0]):
             lines.append(self.line(spec, lambda fields: good(fields, lines[-1] if lines else [])))
         return lines
-
     def plan(self):
-        """Checks that the claims fit together; the blocks, each with whether it is present."""
+        """Checks that the claims fit together; for each block, in order, whether it is present."""
         said, refuted = self.claims.get, lambda *names: any(self.claims.get(x) == "refuted" for x in names)
-        parts = {"section-all-orders": ("positivity", "section"),
-                 "i2": ("section-all-orders", "disjoint-bottom", "disjoint-top")}
+        parts = {"section-all-orders": ("positivity", "section"), "i2": ("section-all-orders", *CLAIMS[5:7])}
         self.ok(said("section") == said("bijection"), "claims")
         for name in filter(said, parts):
             self.ok(all(map(said, parts[name])) and (refuted(name) or not refuted(*parts[name])), "claims")
@@ -137,7 +121,6 @@ class Certificate:
                 "no-order": refuted("section-all-orders") and not refuted("positivity", "section"),
                 **{name: said(name) for name in CLAIMS[4:7]},
                 "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
-
     def block(self, name, certified):
         """The fact lines of a block."""
         if name == "positivity":
@@ -151,9 +134,8 @@ class Certificate:
             spec, key = ("contact-sep T P Q L+", 3) if name == "i2" else (f"sep T {other} L+", 2)
             return self.many(spec, 0, lambda f, previous: good(f) and previous[:key] < f[:key])
         return self.many("contact T P Q A B X" if name == "i2" else f"cross T {other} A A", 1, lambda f, _: good(f))
-
     def overlay(self):
-        vertices, named = {}, []
+        vertices, named = {}, ([], [])
         while not vertices or self.ahead("v"):
             fact = tuple(self.line("v S N"))
             self.ok(fact not in vertices, "duplicate")
@@ -161,13 +143,11 @@ class Certificate:
         self.bound["C"] = len(vertices)
         cells = [cell for cell, in self.many("c C{3,}", 1, lambda f, _: distinct(f[0]))]
         self.bound["D"] = len(cells)
-        for spec in ("d mesh D I", "d middle D I"):
-            named.append([])
-            while not named[-1] or self.ahead(spec[:-4]):
-                named[-1].append(tuple(self.line(spec)))
-                self.ok(named[-1][-1][1] < len(cells[named[-1][-1][0]]) - 2, "range")
-        return list(vertices), cells, named
-
+        for lines, words in zip(named, ("d mesh", "d middle")):
+            while not lines or self.ahead(words):
+                lines.append(tuple(self.line(words + " D I")))
+                self.ok(lines[-1][1] < len(cells[lines[-1][0]]) - 2, "range")
+        return vertices, cells, named
     def witness(self):
         """A no-lift witness: its word and facts."""
         for words, fields in (("topology components", " I I"), ("topology euler", " J J"), ("tet", " P Q X")):
@@ -179,124 +159,102 @@ class Certificate:
             branches = roots[-1][-1]
             while self.ahead("branch"):
                 names, = self.line("branch N", lambda f: not branches or branches[-1][0] < f[0])
-                legs = [leg()]
-                legs += [leg()] if self.ahead("start") else []
+                legs = [leg()] + ([leg()] if self.ahead("start") else [])
                 reasons = "twice monodromy" if len(legs) > 1 else "cap wall boundary fold lands"
-                branches.append((names, legs, next(filter(self.ahead, reasons.split()), "cap")))
-                self.line(branches[-1][2] if self.ahead(branches[-1][2]) else "reason")
+                reason = next(filter(self.ahead, reasons.split()), "reason")
+                branches.append((names, legs, reason, self.line(reason)))
         return "roots", roots
 
-# ------------------------------------------------- "Inputs" of section 3; section 5 (OFF, OBJ), section 6 (HDF5)
-DECIMAL = rb"\s+([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
-INDEX = rb"\s+0*([0-9]{1,10})"
+# ---- "Inputs" of section 3; section 5 (OFF, OBJ), section 6 (HDF5)
+DECIMAL, INDEX = rb"\s+([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)", rb"\s+0*([0-9]{1,10})"
 OFF_HEAD = re.compile(rb"\s*OFF" + 2 * INDEX + rb"\s+[0-9]+(?!\S)").match
 OFF_ROWS = re.compile(3 * DECIMAL + rb"(?!\S)").match, re.compile(rb"\s+3" + 3 * INDEX + rb"(?!\S)[^\n]*").match
 OBJ_ROWS = (re.compile(rb"\s*v" + 3 * DECIMAL + rb"(?!\S)").match,
             re.compile(rb"\s*f" + 3 * (INDEX + rb"(?:/\S*)?") + rb"\s*").fullmatch)
-WRONG = ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error  # what bad data raise
+WRONG = ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error  # what bad inputs raise
 
 def read_mesh(data):
-    """(points, triangles) of an OFF or OBJ file."""
-    data, tables = data.replace(b"\v", b"?"), ([], [])  # \v is not white space here
-    text = re.sub(rb"#[^\n]*", b"", data)
+    """(points, triangles) of an OFF or OBJ file; a row that does not match raises AttributeError."""
+    data = data.replace(b"\v", b"?")  # which is not white space here
+    text, rows = re.sub(rb"#[^\n]*", b"", data), ([], [])
     off = text.lstrip().startswith(b"OFF")
-    head = match = OFF_HEAD(text) if off else None
-    for k, row in enumerate(OFF_ROWS if off else OBJ_ROWS):
-        for _ in range(int(head[k + 1]) if off else 0):
-            match = row(text, match.end())
-            tables[k].append(match.groups())
-        for line in () if off else re.finditer(rb"^[ \t\f\r]*" + b"vf"[k:k + 1] + rb"(?!\S).*", data, re.MULTILINE):
-            tables[k].append(row(line[0]).groups())
-    first = 0 if off else 1
-    return checked([tuple(map(float, p)) for p in tables[0]], [tuple(int(v) - first for v in f) for f in tables[1]])
-
+    if off:
+        at, counts = OFF_HEAD(text).end(), OFF_HEAD(text).groups()
+        for k, _ in ((k, _) for k in (0, 1) for _ in range(int(counts[k]))):
+            match = OFF_ROWS[k](text, at)
+            rows[k].append(match.groups())
+            at = match.end()
+    for line in () if off else re.finditer(rb"^[ \t\f\r]*([vf])(?!\S).*", data, re.MULTILINE):
+        k = b"vf".index(line[1])
+        rows[k].append(OBJ_ROWS[k](line[0]).groups())
+    return checked([tuple(map(float, p)) for p in rows[0]], [tuple(int(v) - (not off) for v in f) for f in rows[1]])
 def checked(points, faces):
     """A mesh that has a vertex, finite coordinates and no index out of range."""
-    finite = all(math.isfinite(x) for p in points for x in p)
-    need(points and finite and all(0 <= v < len(points) for f in faces for v in f), "input", "mesh", "malformed")
+    fit(points and all(math.isfinite(x) for p in points for x in p), "coordinates")
+    fit(all(0 <= v < len(points) for f in faces for v in f), "index out of range")
     return points, faces
-
-class Hdf5:
-    """The n x 3 datasets of the root group of an HDF5 file."""
-
-    def __init__(self, data):
-        self.data, self.objects, done = data, {}, set()
-        signature, sizes, base, root = self.get("<9s4x2s9xQ32xQ", 0)
-        self.ok((signature, sizes, base) == (b"\x89HDF\r\n\x1a\n\0", b"\x08\x08", 0))
-        tree, heap = struct.unpack_from("<QQ", self.messages(root)[0x11])
-        magic, size, start = self.get("<5s3xQ8xQ", heap)
-        self.ok(magic == b"HEAP\0" and start + size <= len(data))
-        names, todo = data[start:start + size], [tree]
-        for node in todo:
-            magic, version, count = self.get("<4sBxH", node)
-            self.ok(node not in done and (magic == b"SNOD" or (magic, version) == (b"TREE", 0)))
-            done.add(node)
-            for k in range(count):
-                if magic == b"TREE":
-                    todo += self.get("<Q", node + 32 + 16 * k)
-                else:
-                    start, where = self.get("<QQ", node + 8 + 40 * k)
-                    name = names[start:names.index(b"\0", start)]
-                    self.ok(name not in self.objects)
-                    self.objects[name] = where
-
-    def ok(self, condition):
-        need(condition, "input", "HDF5", "malformed")
-
-    def get(self, layout, at):
-        return struct.unpack_from(layout, self.data, at)
-
-    def messages(self, at):
+def read_hdf5(data):
+    """The function from the names of two datasets in the root group of an HDF5 file to a mesh."""
+    get = lambda layout, at: struct.unpack_from(layout, data, at)
+    def messages(at):
         """The first message of each type of an object header, its continuation blocks included."""
-        version, left, size = self.get("<BxH4xI", at)
-        self.ok(version == 1)
+        version, left, size = get("<BxH4xI", at)
         found, todo, done = {}, [(at + 16, size)], set()
         for at, size in todo:
             end = at + size
-            self.ok(at not in done and end <= len(self.data))
+            fit(version == 1 and at not in done and end <= len(data), "object header")
             done.add(at)
             while left and at + 8 <= end:
-                kind, length, flags = self.get("<HHB", at)
+                kind, length, flags = get("<HHB", at)
                 at, left = at + 8 + length, left - 1
-                self.ok(at <= end and not (flags & 2 and kind in (1, 3, 8, 0x11)))
-                found.setdefault(kind, self.data[at - length:at])
-                if kind == 0x10:
-                    todo.append(struct.unpack_from("<QQ", self.data[at - length:at]))
+                fit(at <= end and not (flags & 2 and kind in (1, 3, 8, 0x11)), "message")
+                found.setdefault(kind, data[at - length:at])
+                todo += [struct.unpack_from("<QQ", data[at - length:at])] if kind == 0x10 else []
         return found
-
-    def rows(self, name, code):
+    def rows(name, code):
         """The rows of a dataset of triples (code d: doubles, i: integers of 4 bytes)."""
-        found, size = self.messages(self.objects[name]), struct.calcsize(code)
+        found, size = messages(objects[name]), struct.calcsize(code)
         space, n, three = struct.unpack_from("<2s6xQQ", found[1])
-        kind, order, bytes_each, form = struct.unpack_from("<BB2xI12s", found[3].ljust(20 if code == "i" else 0, b"\0"))
+        kind, order, bytes_each, form = struct.unpack_from("<BB2xI4s", found[3])
         layout, where, length = struct.unpack_from("<2sQQ", found[8])
-        ieee = struct.pack("<HHBBBBI", 0, 64, 52, 11, 0, 52, 1023)
-        good = (kind & 15, order & 65, form) == (1, 0, ieee) if code == "d" else \
-            (kind & 15, order & 1, form[:4]) == (0, 0, b"\0\0\x20\0")
-        self.ok(0xB not in found and (space, three) == (b"\1\2", 3) and good and bytes_each == size)
-        self.ok(layout == b"\3\1" and length == 3 * n * size and (n == 0 or where + length <= len(self.data)))
-        return list(struct.iter_unpack("<3" + code, self.data[where:where + length] if n else b""))
-
-    def mesh(self, points, faces):
-        return checked(self.rows(points, "d"), self.rows(faces, "i"))
-
+        if code == "d":
+            good = (kind & 15, order & 65, found[3][8:20]) == (1, 0, struct.pack("<2H4BI", 0, 64, 52, 11, 0, 52, 1023))
+        else:
+            good = (kind & 15, order & 1, form) == (0, 0, b"\0\0\x20\0")
+        fit(good and bytes_each == size and (space, three) == (b"\1\2", 3) and 0xB not in found, "dataset")
+        fit(layout == b"\3\1" and length == 3 * n * size and (n == 0 or where + length <= len(data)), "layout")
+        return list(struct.iter_unpack("<3" + code, data[where:where + length] if n else b""))
+    signature, sizes, base, root = get("<9s4x2s9xQ32xQ", 0)
+    tree, heap = struct.unpack_from("<QQ", messages(root)[0x11])
+    magic, size, start = get("<5s3xQ8xQ", heap)
+    fit((signature, sizes, base, magic) == (b"\x89HDF\r\n\x1a\n\0", b"\x08\x08", 0, b"HEAP\0"), "not classic HDF5")
+    fit(start + size <= len(data), "heap")
+    names, objects, todo, done = data[start:start + size], {}, [tree], set()
+    for node in todo:
+        magic, kind, count = get("<4sBxH", node)
+        fit(node not in done and (magic == b"SNOD" or (magic, kind) == (b"TREE", 0)), "group")
+        done.add(node)
+        todo += [get("<Q", node + 32 + 16 * k)[0] for k in range(count if magic == b"TREE" else 0)]
+        for start, where in [get("<QQ", node + 8 + 40 * k) for k in range(count if magic == b"SNOD" else 0)]:
+            name = names[start:names.index(b"\0", start)]
+            fit(name not in objects, "name used twice")
+            objects[name] = where
+    return lambda points, faces: checked(rows(points, "d"), rows(faces, "i"))
 def read_inputs(paths, mesh_needed):
     """(the three layers' points, prisms, mesh points, triangles) from one to four files."""
     try:
-        need(1 <= len(paths) <= 4, "input", "one to four input files", "malformed")
+        fit(1 <= len(paths) <= 4, "one to four input files")
         files = [read_file(path, "input", "input", "malformed") for path in paths]
-        shell = Hdf5(files[0]) if len(files) <= 2 else None
-        layers = [shell.mesh(x, b"mF") for x in (b"mbase", b"mV", b"mtop")] if shell else map(read_mesh, files[:3])
+        shell = read_hdf5(files[0]) if len(files) <= 2 else None
+        layers = [shell(x, b"mF") for x in (b"mbase", b"mV", b"mtop")] if shell else map(read_mesh, files[:3])
         points, faces = zip(*layers)
-        need(len(set(map(len, points))) == 1 and faces[0] == faces[1] == faces[2], "input", "layers", "malformed")
-        mesh = read_mesh(files[-1]) if len(files) in (2, 4) else None
-        if mesh_needed and not mesh:
-            mesh = shell.mesh(b"ref.V", b"ref.F")
+        fit(len(set(map(len, points))) == 1 and faces[0] == faces[1] == faces[2], "layers that differ")
+        mesh = read_mesh(files[-1]) if len(files) in (2, 4) else mesh_needed and shell(b"ref.V", b"ref.F")
         return points, faces[0], *(mesh or ([], []))
     except WRONG as error:
         raise Stop("malformed", "input", type(error).__name__) from None
 
-# ------------------------------------------------- section 1: words
+# ---- section 1: words
 sub = lambda a, b: (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 dot = lambda a, b: a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 cross = lambda a, b: (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
@@ -305,35 +263,36 @@ det = lambda a, b, c, d: det3(sub(b, a), sub(c, a), sub(d, a))
 sides = lambda a, b, c: ((a, b), (b, c), (c, a))
 fan = lambda c: [(c[0], c[i], c[i + 1]) for i in range(1, len(c) - 1)]
 box = lambda points: (*map(min, zip(*points)), *map(max, zip(*points)))
-meet = lambda a, b: all(a[k] <= b[k + 3] and b[k] <= a[k + 3] for k in (0, 1, 2))
-proportional = lambda a, b: a.keys() == b.keys() and all(  # {argument: positive weight} as functions
-    a[k] * sum(b.values()) == b[k] * sum(a.values()) for k in a)
+meet = lambda a, b: (a[0] <= b[3] and b[0] <= a[3] and a[1] <= b[4] and b[1] <= a[4] and a[2] <= b[5] and b[2] <= a[5])
 
 def plane(a, b, c):
     """(n, h): n . x - h is det[b-a, c-a, x-a]."""
     n = cross(sub(b, a), sub(c, a))
     return n, dot(n, a)
-
+def mix(points, weights):
+    """The weighted point as (x, y, z, w)."""
+    return tuple(sum(w * p[k] for w, p in zip(weights, points)) for k in range(3)) + (sum(weights),)
 def projected(weights):
     """For {name: weight}, the sums over the names of each vertex."""
     return {v: sum(x for n, x in weights.items() if n // 3 == v) for v in {n // 3 for n in weights}}
-
+def proportional(a, b):
+    """Whether two points, given as {vertex: positive weight}, are equal."""
+    return a.keys() == b.keys() and all(a[k] * sum(b.values()) == b[k] * sum(a.values()) for k in a)
 def meeting(A, B, left, right, found):
     """Adds to found[i] all j of which the closed boxes A[i], B[j] meet: halves `right`, prunes `left`."""
     hull = box([B[j][:3] for j in right] + [B[j][3:] for j in right])
-    left = [i for i in left if meet(A[i], hull)]
-    if len(right) <= 4 or not left:
+    left, half = [i for i in left if meet(A[i], hull)], len(right) // 2
+    if len(right) <= 4:
         for i in left:
             found[i].update(j for j in right if meet(A[i], B[j]))
-        return
-    axis = max(range(3), key=lambda k: hull[k + 3] - hull[k])
-    right, half = sorted(right, key=lambda j: B[j][axis] + B[j][axis + 3]), len(right) // 2
-    meeting(A, B, left, right[:half], found)
-    meeting(A, B, left, right[half:], found)
+    elif left:
+        axis = max(range(3), key=lambda k: hull[k + 3] - hull[k])
+        right = sorted(right, key=lambda j: B[j][axis] + B[j][axis + 3])
+        meeting(A, B, left, right[:half], found)
+        meeting(A, B, left, right[half:], found)
 
 class Complex:
     """Oriented triangles, found by vertex (`at`), directed edge and vertex set; boundary simplices, components."""
-
     def __init__(self, faces):
         self.faces, self.at, self.edge, self.component, self.count = faces, {}, {}, {}, 0
         for i, f in enumerate(faces):
@@ -349,10 +308,7 @@ class Complex:
                 if i not in self.component:
                     self.component[i] = self.count - 1
                     todo += [self.edge[b, a] for a, b in sides(*faces[i]) if (b, a) in self.edge]
-
-    def euler(self):
-        return len(self.at) - len(set(map(frozenset, self.edge))) + len(self.faces)
-
+        self.euler = len(self.at) - len(set(map(frozenset, self.edge))) + len(faces)
     def manifold(self):
         """No repeated corner, directed edge or triangle; the triangles at a vertex are one path or cycle."""
         n = len(self.faces)
@@ -377,90 +333,75 @@ ALL12 = list({frozenset(t): (t, pillar) for three in ORDERS.values() for t, pill
 
 class Case:
     """Shell and mesh in integers (times `unit`): points `X` by tag, names `N` by vertex, complexes `M` and `T`."""
-
     def __init__(self, layers, prisms, points, triangles):
         self.unit = max(x.as_integer_ratio()[1] for p in itertools.chain(*layers, points) for x in p)
         scale = lambda p: tuple(n * (self.unit // d) for n, d in map(float.as_integer_ratio, p))
         self.X = [scale(p) for triple in zip(*layers) for p in triple] + [scale(p) for p in points[::-1]]
         self.pinned = [v for v, (b, m, t) in enumerate(zip(*layers)) if b == m == t]
-        self.pin, self.pins = set(self.pinned), {3 * v + 1 for v in self.pinned}
-        self.N = [(3 * v + 1,) * 3 if v in self.pin else (3 * v, 3 * v + 1, 3 * v + 2) for v in range(len(layers[0]))]
+        self.pins = {3 * v + 1 for v in self.pinned}
+        name = lambda v, k: 3 * v + (1 if 3 * v + 1 in self.pins else k)
+        self.N = [(name(v, 0), name(v, 1), name(v, 2)) for v in range(len(layers[0]))]
         self.M, self.T = Complex(prisms), Complex(triangles)
         self.corners = [self.at(~v for v in f) for f in triangles]
         self.planes = [plane(*c) for c in self.corners]
-        self.prism_boxes = [box(self.at(n for v in f for n in self.N[v])) for f in prisms]
-
+        self.boxes = [box(self.at(n for v in f for n in self.N[v])) for f in prisms]
     def at(self, tags):
         return [self.X[t] for t in tags]
-
     def tets(self, prism, chosen=ALL12):
         """{names: (names in positive order, V)} of a prism, in both slabs."""
-        corners, found = self.M.faces[prism], {}
+        corners, found = [self.N[v] for v in self.M.faces[prism]], {}
         for slab, (t, pillar) in itertools.product((0, 1), chosen):
-            if corners[pillar] not in self.pin:
-                order = [self.N[corners[c]][slab + h] for c, h in t]
-                lo, hi = self.at(self.N[corners[pillar]][slab:slab + 2])
-                found[tuple(sorted(order))] = order, sub(hi, lo)
+            lo, hi = corners[pillar][slab:slab + 2]
+            if lo != hi:
+                order = [corners[c][slab + h] for c, h in t]
+                found[tuple(sorted(order))] = order, sub(self.X[hi], self.X[lo])
         return found
-
     def decomposition(self, order):
         """S_< by prism, for all vertices, smallest first."""
         rank = {v: i for i, v in enumerate(order)}
         chosen = lambda f: ORDERS[tuple(sorted(range(3), key=lambda c: rank[f[c]]))]
         return [self.tets(j, chosen(f)) for j, f in enumerate(self.M.faces)]
-
     def volume(self, tet):
         return det(*self.at(tet[0]))
-
     def dot(self, f, tet):
         return dot(self.planes[f][0], tet[1])
-
     def clear(self, f, prism):
         """Whether f has a positive dot with both halves of all unpinched pillars of the prism."""
-        heights = [[dot(self.planes[f][0], self.X[n]) for n in self.N[v]]
-                   for v in self.M.faces[prism] if v not in self.pin]
+        heights = [[dot(self.planes[f][0], p) for p in self.at(self.N[v])] for v in self.M.faces[prism]
+                   if 3 * v + 1 not in self.pins]
         return all(b < m < t for b, m, t in heights)
-
-    def mix(self, points, weights):
-        """The weighted point as (x, y, z, w)."""
-        return tuple(sum(w * p[k] for w, p in zip(weights, points)) for k in range(3)) + (sum(weights),)
-
     def equals(self, scaled, value):
         """Whether an integer that stands for scaled / unit^3 is the file's value odd * 2^exponent."""
         return scaled << max(-value[1], 0) == value[0] * self.unit ** 3 << max(value[1], 0)
-
     def cap(self, names):
         """Section 3.2.2: all names are `t` or pinched, or all `b` or pinched, but not one pinched name."""
         free = {n % 3 for n in names if n not in self.pins}
         return free in ({0}, {2}) or not free and len(names) > 1
 
-# ------------------------------------------------- section 3, binding; 3.1, positivity
+# ---- section 3, binding; section 3.1, positivity
 def sha(layers, faces):
     tables = [struct.pack(f"<{3 * len(points)}d", *itertools.chain(*points)) for points in layers]
     return hashlib.sha256(b"".join(tables) + struct.pack(f"<{3 * len(faces)}I", *itertools.chain(*faces))).hexdigest()
-
 def bind(cert, layers, prisms, points, triangles):
     """The inputs are those that the certificate names, and fit to be judged."""
     need(cert.shell == [sha(layers, prisms), len(layers[0]), len(prisms)], "hash", "shell")
     need(cert.mesh in (None, [sha([points], triangles), len(points), len(triangles)]), "hash", "mesh")
     case = Case(layers, prisms, points, triangles if cert.mesh else [])
-    pins = [sum(v in case.pin for v in f) for f in prisms]
+    pins = [sum(3 * v + 1 in case.pins for v in f) for f in prisms]
     need(case.M.manifold() and max(pins) < 3, "shell-conditions")
     need(not cert.mesh or case.T.manifold() and all(any(n) for n, _ in case.planes), "mesh-conditions")
     need(cert.pinched == [8 * sum(pins), case.pinned], "pinched")
     return case
-
 def check_tet(case, fact, tets):
     prism, names, value = fact
     need(names in tets, "unknown-tet", f"prism {prism}")
     need(case.equals(case.volume(tets[names]), value), "wrong-value", f"prism {prism}")
     need(case.volume(tets[names]) <= 0, "not-refuted", f"prism {prism}")
-
 def check_positive(case, decomposition):
     for prism, tets in enumerate(decomposition):
         need(all(case.volume(tet) > 0 for tet in tets.values()), "not-positive", f"prism {prism}")
 
-# ------------------------------------------------- section 3.2: the overlay
+# ---- section 3.2: the overlay
 def null_vector(columns):
     """The integer solution x of sum x_i column_i = 0 if the solutions are a line, else None.
 
@@ -471,57 +412,47 @@ def null_vector(columns):
         for pivot, other in basis:
             row = [other[pivot] * x - row[pivot] * y for x, y in zip(row, other)]
         common = math.gcd(*row)
-        row = [x // common for x in row]
-        pivot = next((k for k in range(4) if row[k]), None)
+        pivot, row = next((k for k in range(4) if row[k]), None), [x // common for x in row]
         (found if pivot is None else basis).append((pivot, row))
     return found[0][1][4:] if len(found) == 1 else None
-
 def holders(case, S, names):
     """The tets of S that hold all the names, as (prism, names)."""
     return [(j, t) for j in case.M.at.get(names[0] // 3, ()) for t in S[j] if set(names) <= set(t)]
-
-def overlay_vertex(case, S, ids, names, at):
+def overlay_vertex(case, S, ids, names):
     """The point of a `v` line as (weights on mesh vertices, weights on shell vertices, names)."""
+    at = f"v line {ids} {names}"
     need(any(set(ids) <= set(case.T.faces[f]) for f in case.T.at.get(ids[0], ())), "mesh-carrier", at)
     need(holders(case, S, names), "shell-carrier", at)
     need(not case.cap(names), "cap", at)
-    solution, n = null_vector([p + (1,) for p in case.at([~i for i in ids] + list(names))]) or [0], len(ids)
+    solution, n = null_vector([p + (1,) for p in case.at([~i for i in ids] + [*names])]) or [0], len(ids)
     total = sum(solution[:n])
     need(total, "no-point", at)
     solution = [x * total for x in solution[:n]] + [-x * total for x in solution[n:]]
     need(min(solution) > 0, "outside-carrier", at)
     return dict(zip(ids, solution)), projected(dict(zip(names, solution[n:]))), set(names)
-
-def overlay_cell(case, S, points, at):
-    """(f, prism) of a `c` line."""
-    over = [c.find.get(frozenset().union(*(p[k] for p in points))) for k, c in enumerate((case.T, case.M))]
-    need(over[0] is not None, "cell-mesh", at)
-    names = set().union(*(p[2] for p in points))
-    need(over[1] is not None and any(names <= set(t) for t in S[over[1]]), "cell-shell", at)
-    return over
-
-def check_overlay(case, S, facts):
+def check_overlay(case, S, vertices, lines, named):
     """The complex K as (its points, its cells (f, prism, fan in f), its boundary edges)."""
     check_positive(case, S)
-    vertices, lines, named = facts
-    points = [overlay_vertex(case, S, *v, f"v line {i}") for i, v in enumerate(vertices)]
-    cells, images = [], {}
+    points, cells, images = [overlay_vertex(case, S, *v) for v in vertices], [], {}
     for k, c in enumerate(lines):
-        over, at = overlay_cell(case, S, [points[i] for i in c], f"c line {k}"), f"c line {k}"
-        in_f, in_j = (fan([[points[i][s].get(v, 0) for v in complex_.faces[over[s]]] for i in c])
-                      for s, complex_ in enumerate((case.T, case.M)))
-        for i, (a, b) in enumerate(zip(in_f, in_j)):
+        over, names, at = [set().union(*(points[i][s] for i in c)) for s in (0, 1, 2)], ..., f"c line {k}"
+        f, j, names = case.T.find.get(frozenset(over[0])), case.M.find.get(frozenset(over[1])), over[2]
+        need(f is not None, "cell-mesh", at)
+        need(j is not None and any(names <= set(t) for t in S[j]), "cell-shell", at)
+        rows = [fan([[points[i][s].get(v, 0) for v in face] for i in c])
+                for s, face in enumerate((case.T.faces[f], case.M.faces[j]))]
+        for i, (a, b) in enumerate(zip(*rows)):
             need(det3(*a) > 0, "area-mesh", at)
             need(det3(*b) > 0, "area-middle", at)
-            images.setdefault((0, over[0]), {})[k, i] = a
-            images.setdefault((1, over[1]), {})[k, i] = b
-        cells.append((*over, in_f))
+            images.setdefault((0, f), {})[k, i] = a
+            images.setdefault((1, j), {})[k, i] = b
+        cells.append((f, j, rows[0]))
     edges = [e for c in lines for triangle in fan(c) for e in sides(*triangle)]
     need(distinct(edges), "edge-twice")
-    rim = sorted({(a, b) for a, b in edges} - {(b, a) for a, b in edges})
+    rim = sorted(set(edges) - {(b, a) for a, b in edges})
     for a, b in rim:
-        ends = [points[a][k].keys() | points[b][k].keys() for k in (0, 1)]
-        need(ends[0] in case.T.rim and ends[1] in case.M.rim, "boundary", f"{a} {b}")
+        need({*points[a][0], *points[b][0]} in case.T.rim and {*points[a][1], *points[b][1]} in case.M.rim,
+             "boundary", f"{a} {b}")
     need(len(set(itertools.chain(*lines))) == len(points), "isolated")
     for side, over in enumerate((case.T, case.M)):
         found = [over.component[cells[cell][side]] for cell, _ in named[side]]
@@ -535,45 +466,39 @@ def check_overlay(case, S, facts):
             need(not inside or other == name, "degree", f"cells {name[0]} {other[0]}")
     return points, cells, rim
 
-# ------------------------------------------------- section 3.3: all orders
+# ---- section 3.3: all orders
 def cut(case, polygon, names, corners):
     """Cuts a polygon (barycentric rows on three corners) with a closed tet."""
     for k in range(4):
         p, *face = case.at(names[k:] + names[:k])
         n, h = plane(*face)
-        sign = 1 if dot(n, p) >= h else -1
-        values, kept = [sign * (dot(n, c) - h) for c in corners], []
-        side = [(row, dot(values, row)) for row in polygon]
+        values = [(dot(n, c) - h) * (1 if dot(n, p) >= h else -1) for c in corners]
+        side, polygon = [(row, dot(values, row)) for row in polygon], []
         for (p, x), (q, y) in zip(side, side[1:] + side[:1]):
-            kept += [p] if x >= 0 else []
+            polygon += [p] if x >= 0 else []
             if x * y < 0:
                 new = [abs(y) * s + abs(x) * t for s, t in zip(p, q)]
-                kept.append([s // math.gcd(*new) for s in new])
-        polygon = kept
+                polygon.append([s // math.gcd(*new) for s in new])
     return polygon
-
 def check_all_orders(case, points, cells, rim):
-    wall = lambda u, w, s: (*case.N[u][s:s + 2], *case.N[w][s:s + 2])
-    volume = lambda names: det(*case.at(names))  # of a wall, 0 if u or w is pinched
+    walls = lambda u, w: [(*case.N[u][s:s + 2], *case.N[w][s:s + 2]) for s in (0, 1)]
+    volume = lambda names: det(*case.at(names))  # of a wall: 0 if u or w is pinched
     for a, b in rim:
-        names, (u, w) = points[a][2] | points[b][2], points[a][1].keys() | points[b][1].keys()
-        flat = [x for x in (wall(u, w, 0), wall(u, w, 1)) if not volume(x)] + [(3 * u + 1, 3 * w + 1)]
+        names, ends = points[a][2] | points[b][2], {*points[a][1], *points[b][1]}
+        flat = [x for x in walls(*ends) if not volume(x)] + [[3 * v + 1 for v in ends]]
         need(any(names <= set(x) for x in flat), "all-orders-boundary", f"edge {a} {b}")
-    for number_, (f, j, rows) in enumerate(cells):
+    for f, j, rows in cells:
         for side in ((), *sides(*case.M.faces[j])):
             q, corners = case.M.edge.get(side[::-1]) if side else j, case.corners[f]
-            if q is None or case.clear(f, q):
-                continue
-            walls = [x for x in (wall(*side, 0), wall(*side, 1)) if volume(x)] if side else []
-            pieces = [cut(case, p, x, corners) for x in walls for p in rows] if side else rows
-            for names in [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]:
-                flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
-                need(all(flat), "all-orders", f"cell {number_}, prism {q}")
+            if q is not None and not case.clear(f, q):
+                pieces = [cut(case, p, x, corners) for x in walls(*side) if volume(x) for p in rows] if side else rows
+                for names in [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]:
+                    flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
+                    need(all(flat), "all-orders", f"triangle {f}, prism {q}")
 
-# ------------------------------------------------- section 3.4: the no-lift witness
+# ---- section 3.4: the no-lift witness
 class Witness:
     """A no-lift witness for S_<; `stars` remembers which shell edges have an injective star."""
-
     def __init__(self, case, S, word, facts):
         self.case, self.S, self.stars = case, S, {}
         if word == "tet":
@@ -581,16 +506,14 @@ class Witness:
         elif word == "roots":
             self.roots(facts)
         else:
-            values = [x.euler() if word == "topology euler" else x.count for x in (case.T, case.M)]
+            values = [x.euler if word == "topology euler" else x.count for x in (case.T, case.M)]
             need(values == facts, "wrong-value")
             need(values[0] != values[1], "not-refuted")
-
     def tet(self, names):
         """The prism of a tet of S, and whether the tet is positive."""
         prism = self.case.M.find.get(frozenset(n // 3 for n in names))
         need(prism is not None and names in self.S[prism], "unknown-tet")
         return prism, self.case.volume(self.S[prism][names]) > 0
-
     def coordinates(self, x, prism, names):
         """{name: positive coordinate} of x = (x, y, z, w) in a tet; {} outside or in a bad tet."""
         order = self.S[prism][names][0]
@@ -598,7 +521,6 @@ class Witness:
         values = det3(b, c, d), -det3(a, c, d), det3(a, b, d), -det3(a, b, c)
         inside = min(values) >= 0 and self.case.volume((order,)) > 0
         return {n: v for n, v in zip(order, values) if v} if inside else {}
-
     def injective_star(self, edge):
         """Whether S's tets around an edge are positive and their open wedges disjoint."""
         if edge not in self.stars:
@@ -607,42 +529,39 @@ class Witness:
                 r, s = self.case.at(n for n in names if n not in edge)
                 wedges.append((r, s) if det(p, q, r, s) > 0 else (s, r))
                 positive &= self.case.volume(self.S[prism][names]) > 0
-            before = lambda x, y: (all(det(p, q, x[0], z) <= 0 for z in y)
-                                   or all(det(p, q, z, x[1]) <= 0 for z in y))
+            before = lambda x, y: any(all(det(p, q, *z) <= 0 for z in side)
+                                      for side in ([(x[0], z) for z in y], [(z, x[1]) for z in y]))
             pairs = itertools.combinations(wedges, 2)
             self.stars[edge] = positive and all(before(x, y) or before(y, x) for x, y in pairs)
         return self.stars[edge]
-
     def roots(self, facts):
         case, landed = self.case, set()
         for f, weights, branches in facts:
-            x, carriers = case.mix(case.corners[f], weights), set()
-            for prism, b in enumerate(case.prism_boxes):
+            x, carriers = mix(case.corners[f], weights), set()
+            for prism, b in enumerate(case.boxes):
                 if all(b[k] * x[3] <= x[k] <= b[k + 3] * x[3] for k in range(3)):
                     carriers |= {tuple(sorted(self.coordinates(x, prism, names))) for names in self.S[prism]}
-            need(carriers - {()} == {names for names, _, _ in branches}, "wrong-branches", f"root on {f}")
-            for names, legs, reason in branches:
+            need(carriers - {()} == {branch[0] for branch in branches}, "wrong-branches", f"root on {f}")
+            for names, legs, reason, _ in branches:
                 ends = [self.leg(f, weights, names, *leg) for leg in legs]
                 need(self.holds(reason, *ends[0], *ends[-1]), "not-refuted", f"root on {f}, {reason}")
                 landed |= {case.M.component[ends[0][3]]} if reason == "lands" else set()
         need(distinct([case.T.component[f] for f, _, _ in facts]), "wrong-branches")
         need(len(landed) < len(facts), "not-refuted")
-
     def leg(self, f, weights, branch, tet, steps):
         """Walks a leg; its last station as (f, weights in T, coordinates in the tet, prism, tet)."""
-        (prism, positive), faces = self.tet(tet), self.case.T.faces
+        (prism, positive), faces, corners = self.tet(tet), self.case.T.faces, self.case.corners
         need(positive and set(branch) <= set(tet), "wrong-step")
-        here = self.coordinates(self.case.mix(self.case.corners[f], weights), prism, tet)
+        here = self.coordinates(mix(corners[f], weights), prism, tet)
         for g, weights, new in steps:
             next_prism, positive = self.tet(new)
-            x, used = self.case.mix(self.case.corners[g], weights), {v for v, w in zip(faces[g], weights) if w}
+            x, used = mix(corners[g], weights), {v for v, w in zip(faces[g], weights) if w}
             before, after = self.coordinates(x, prism, tet), self.coordinates(x, next_prism, new)
             good = positive and used <= set(faces[f]) and before and before.keys() == after.keys()
             star = len(here) > 2 or len(here) == 2 and self.injective_star(tuple(sorted(here)))
             need(good and star, "wrong-step", f"step on {g}")
             f, prism, tet, here = g, next_prism, new, after
         return f, {v: w for v, w in zip(faces[f], weights) if w}, here, prism, tet
-
     def holds(self, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):
         """Whether the reason holds at the last station (of a second leg: mesh2, here2)."""
         case, (n, h), same_point = self.case, self.case.planes[f], proportional(on_mesh, mesh2)
@@ -653,7 +572,7 @@ class Witness:
                 "twice": not same_point and proportional(projected(here), projected(here2)),
                 "monodromy": same_point and here.keys() != here2.keys()}[reason]
 
-# ------------------------------------------------- sections 3.5 and 3.6: separation and contact
+# ---- sections 3.5 and 3.6: separation and contact
 def separates(case, planes, A, B):
     """Section 3.5, for planes (n, h) and simplices given by their tags."""
     common, pinched = set(A) & set(B), {case.X[n] for n in B if n in case.pins}
@@ -663,75 +582,71 @@ def separates(case, planes, A, B):
             return False
         A, B = [t for t, value in zip(A, a) if not value], [t for t, value in zip(B, b) if not value]
     return any(set(s) == common or len(s) == 1 and case.X[s[0]] in pinched for s in (A, B))
-
 def listed_planes(case, f, planes):
     """The planes of a `sep` or `contact-sep` line as (n, h); a name that does not exist separates nothing."""
     for kind, points in planes:
         need(all(p < 0 or p in case.N[p // 3] for p in points), "not-separated", "no such name")
         a, b, *c = case.at(points)
-        n = sub(b, a)
-        if kind != "n":
-            n = cross(n, sub(c[0], a) if c else case.planes[f][0])
+        n = sub(b, a) if kind == "n" else cross(sub(b, a), sub(c[0], a) if c else case.planes[f][0])
         yield n, dot(n, a)
-
 def check_contacts(case, name, facts, certified):
-    """Sections 3.5 and 3.6: B is a mesh triangle, a bottom or top triangle, or a tet, with its dot if it has one."""
-    T, N, i2 = [tuple(~v for v in f) for f in case.T.faces], case.N, name == "i2"
-    layer = T if name == "disjoint-mesh" else [tuple(N[v][2 * (name == "disjoint-top")] for v in f) for f in case.M.faces]
-    others = lambda f, j: {t: case.dot(f, x) for t, x in case.tets(j).items()} if i2 else {layer[j]: 0}
+    """Sections 3.5 and 3.6: A is a mesh triangle, B another one, a bottom or top triangle, or (`i2`) a tet."""
+    T, i2, k = [tuple(~v for v in f) for f in case.T.faces], name == "i2", 2 * (name == "disjoint-top")
+    layer = T if name == "disjoint-mesh" else [tuple(case.N[v][k] for v in f) for f in case.M.faces]
+    others = lambda f, j: {t: case.dot(f, x) for t, x in case.tets(j).items()} if i2 else {layer[j]: 0}  # dots
     facts = [(f, j, *rest) if i2 else (f, j, layer[j], *rest) for f, j, *rest in facts]
     for f, j, B, *rest in facts if not certified else ():
         dots, (u, w), at = others(f, j), rest[:2], f"{f} {j}"
         need(B in dots, "unknown-tet", at)
-        x, y = case.mix(case.corners[f], u), case.mix(case.at(B), w)
+        x, y = mix(case.corners[f], u), mix(case.at(B), w)
         need(all(x[k] * y[3] == y[k] * x[3] for k in range(3)), "wrong-point", at)
         need(not i2 or case.equals(dots[B], rest[2]), "wrong-value", at)
         a, b = ({t for t, z in zip(*pair) if z} for pair in ((T[f], u), (B, w)))
         need(dots[B] <= 0 and a != b and not (len(b) == 1 and b <= case.pins), "not-refuted", at)
-    meets, listed, mesh_boxes = [set() for _ in T], {fact[:3]: fact[3] for fact in facts}, list(map(box, case.corners))
-    boxes = case.prism_boxes if i2 else [box(case.at(B)) for B in layer]
-    lines = [[] for _ in T]
-    for f, j, B in listed if certified else ():
-        lines[f].append((j, B))
-    meeting(mesh_boxes, boxes, list(range(len(T) if certified else 0)), list(range(len(boxes))), meets)
+    if certified:
+        check_apart(case, T, case.boxes if i2 else [box(case.at(B)) for B in layer], facts,
+                    lambda f, j: {} if layer is T and j <= f or i2 and case.clear(f, j) else others(f, j))
+def check_apart(case, T, boxes, facts, others):
+    """Walks all pairs of a mesh triangle f and B in others(f, j): planes are listed just where they are needed."""
+    listed, lines = {fact[:3]: fact[3] for fact in facts}, [[] for _ in T]
+    for f, *pair in listed:
+        lines[f].append(tuple(pair))
+    meets, mesh_boxes = [set() for _ in T], list(map(box, case.corners))
+    meeting(mesh_boxes, boxes, list(range(len(T))), list(range(len(boxes))), meets)
     for f, A in enumerate(T):
         found = set()
-        for j in meets[f]:
-            if j > f if layer is T else not i2 or not case.clear(f, j):
-                for B, d in others(f, j).items():
-                    if d <= 0 and meet(mesh_boxes[f], box(case.at(B))):
-                        faces = [plane(*case.at(three)) for three in itertools.combinations(B, 3)]
-                        if not any(separates(case, [h], A, B) for h in (case.planes[f], *faces)):
-                            found.add((j, B))
-        for j, B in sorted(found.union(lines[f])):
-            need((j, B) in found, "superfluous", f"{f} {j}")
-            need((f, j, B) in listed, "missing-separation", f"{f} {j}")
-            planes = list(listed_planes(case, f, listed[f, j, B]))
-            need(separates(case, planes, A, B), "not-separated", f"{f} {j}")
+        for j, B, value in ((j, B, value) for j in meets[f] for B, value in others(f, j).items()):
+            if value <= 0 and meet(mesh_boxes[f], box(case.at(B))):
+                faces = (plane(*case.at(three)) for three in itertools.combinations(B, 3))
+                if not any(separates(case, [h], A, B) for h in itertools.chain([case.planes[f]], faces)):
+                    found.add((j, B))
+        for pair in sorted(found.union(lines[f])):
+            need(pair in found, "superfluous", f"{f} {pair}")
+            need((f, *pair) in listed, "missing-separation", f"{f} {pair}")
+            planes = list(listed_planes(case, f, listed[f, *pair]))
+            need(separates(case, planes, A, pair[1]), "not-separated", f"{f} {pair}")
 
-# ------------------------------------------------- all claims in order
+# ---- all claims in order
 def check_claims(case, cert):
     order, blocks = cert.order or range(len(case.N)), cert.blocks
     S = case.decomposition(order) if "section" in cert.claims else None
     for name, verdict in cert.claims.items():
-        certified = verdict == "certified"
-        if name == "positivity" and certified:
+        if name == "positivity" and verdict == "certified":
             check_positive(case, map(case.tets, range(len(case.M.faces))))
         elif name == "positivity":
             for fact in blocks[name]:
                 check_tet(case, fact, case.tets(fact[0]))
-        elif name == "section" and certified:
-            K = check_overlay(case, S, blocks["overlay"])
+        elif name == "section" and verdict == "certified":
+            K = check_overlay(case, S, *blocks["overlay"])
         elif name == "section":
             Witness(case, S, *blocks["no-section"][1])
-        elif name == "section-all-orders" and certified:
+        elif name == "section-all-orders" and verdict == "certified":
             check_all_orders(case, *K)
         elif name == "section-all-orders" and "no-order" in blocks:
             (first,), witness = blocks["no-order"]
             Witness(case, case.decomposition(dict.fromkeys([*first, *order])), *witness)
         elif name in blocks:
-            check_contacts(case, name, blocks[name], certified)
-
+            check_contacts(case, name, blocks[name], verdict == "certified")
 def run(paths):
     """The exit code and the text to print."""
     try:
