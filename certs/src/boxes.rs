@@ -73,3 +73,6 @@ impl Tree {
         &self.boxes[i]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -19,6 +19,7 @@ use complex::Complex;
 use input::{Mesh, Shell};
 use number::{Fixed, Num, fits};
 use parse::{Block, Cert};
+use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 use tets::Selected;
@@ -71,12 +72,18 @@ fn show(names: &[usize]) -> String {
 
 /// Checks a certificate against the contents of its input files.
 pub fn check(cert: &[u8], inputs: &[Vec<u8>]) -> Outcome {
-    outcome(run(cert, || Ok(inputs.to_vec())))
+    outcome(run(cert, || Ok(Cow::Borrowed(inputs))))
 }
 
 /// Checks a certificate file against its input files.
 pub fn check_files<P: AsRef<Path>>(cert: &Path, inputs: &[P]) -> Outcome {
-    let load = || inputs.iter().map(|path| load(path.as_ref(), u64::MAX, "input")).collect();
+    let load = || {
+        inputs
+            .iter()
+            .map(|path| load(path.as_ref(), u64::MAX, "input"))
+            .collect::<Res<Vec<_>>>()
+            .map(Cow::Owned)
+    };
     outcome(load_cert(cert).and_then(|bytes| run(&bytes, load)))
 }
 
@@ -103,7 +110,7 @@ fn outcome(result: Res<Vec<(&'static str, bool)>>) -> Outcome {
     }
 }
 
-fn run(bytes: &[u8], inputs: impl FnOnce() -> Res<Vec<Vec<u8>>>) -> Res<Vec<(&'static str, bool)>> {
+fn run<'a>(bytes: &[u8], inputs: impl FnOnce() -> Res<Cow<'a, [Vec<u8>]>>) -> Res<Vec<(&'static str, bool)>> {
     let cert = parse::parse(bytes)?;
     let (shell, mesh) = input::read(&inputs()?, cert.mesh.is_some())?;
     let mesh = mesh.filter(|_| cert.mesh.is_some()).unwrap_or_default();

@@ -143,3 +143,6 @@ pub(crate) fn dot<N: Num>(a: &Vec3<N>, b: &Vec3<N>) -> N {
 pub(crate) fn det<N: Num>(a: &Vec3<N>, b: &Vec3<N>, c: &Vec3<N>) -> N {
     dot(&cross(a, b), c)
 }
+
+#[cfg(test)]
+mod tests;

@@ -92,3 +92,6 @@ fn cut(piece: &[Row], plane: &Row) -> Vec<Row> {
 fn has_area(piece: &[Row]) -> bool {
     piece.windows(2).skip(1).any(|w| crate::number::det(&piece[0], &w[0], &w[1]).sgn() != 0)
 }
+
+#[cfg(test)]
+mod tests;

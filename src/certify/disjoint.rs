@@ -10,6 +10,7 @@ use super::observer::Observer;
 use super::pairs::BoxTree;
 use super::separate::{Named, Pair, PlaneName, PointName};
 use crate::number::dyadic::scale_points;
+use crate::predicate::same_point;
 use crate::shell::{Layer, Shell};
 
 /// What the mesh is compared with.
@@ -138,7 +139,7 @@ impl<'a> Job<'a> {
                 let other = if k < 3 { &points[3..] } else { &points[..3] };
                 other.iter().any(|o| o.name == points[k].name)
             }
-            PointName::Mesh(_) => b.iter().any(|p| self.is_pinch(p) && p.at == points[k].at),
+            PointName::Mesh(_) => b.iter().any(|p| self.is_pinch(p) && same_point(p.at, points[k].at)),
             PointName::Shell(_) => self.is_pinch(&points[k]),
         });
         let common = common.collect();

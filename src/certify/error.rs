@@ -1,8 +1,8 @@
 //! What keeps a verdict from being reached.
 
 use crate::mesh::MeshError;
-use crate::shell::Name;
 use crate::shell::validate::ShellError;
+use crate::shell::{Name, OrderError};
 
 /// Why there is no verdict. None of these says anything about a claim.
 #[derive(Debug, thiserror::Error)]
@@ -21,11 +21,8 @@ pub enum CertifyError {
         claim: &'static str,
     },
     /// A vertex order that is no permutation of the shell's vertices.
-    #[error("vertex order: {reason}")]
-    Order {
-        /// What is wrong.
-        reason: String,
-    },
+    #[error(transparent)]
+    Order(#[from] OrderError),
     /// Positive tets that wind around an edge more than once: the lift across it is not unique, and neither a
     /// certificate nor a witness can be given. Only possible where `positivity` is refuted.
     #[error("the tets around {} wind more than once, so that the lift is not unique; repair the shell (C1 fails)", listed(.names))]

@@ -163,7 +163,7 @@ impl<'a> Job<'a> {
         }
         match pair.separation() {
             Some(planes) => {
-                out.separations.push(ContactSeparation { face: f, prism: tet.prism, names, planes })
+                out.separations.push(ContactSeparation { face: f, prism: tet.prism, names, planes });
             }
             None => out.contacts.push(self.contact(f, names, tet)?),
         }

@@ -13,7 +13,6 @@ mod exact;
 mod i2;
 mod lift;
 mod observer;
-mod order;
 mod orders;
 mod pairs;
 mod path;
@@ -28,12 +27,12 @@ mod write;
 #[cfg(test)]
 mod tests;
 
+pub use crate::shell::{OrderError, VertexOrder};
 pub use claim::{Claim, Part, Verdict};
 pub use disjoint::{About, Crossing};
 pub use error::CertifyError;
 pub use i2::{Contact, ContactSeparation};
 pub use observer::{Observer, Silent};
-pub use order::VertexOrder;
 pub use proof::{ClaimResult, Count, Options, Outcome, Refutation, certify};
 pub use separate::{PlaneName, PointName};
 pub use witness::{BadTet, Branch, Ending, Leg, NoLift, Root, Step};

@@ -9,13 +9,12 @@ use super::exact::{ExactPiece, Weights, centre, has_area};
 use super::i2::pillar_dots;
 use super::lift::{Lift, Lifting};
 use super::observer::Observer;
-use super::order::VertexOrder;
 use super::point::MeshPoint;
 use super::section::{self, Section};
 use super::witness::NoLift;
 use crate::mesh::connectivity::Side;
 use crate::predicate::{StageCounts, orient3d};
-use crate::shell::{Layer, Name, Slab, Tet, decomposition::TETS, decomposition::decomposition};
+use crate::shell::{Layer, Name, Slab, Tet, VertexOrder, decomposition::TETS, decomposition::decomposition};
 
 /// The answer to C3, given C1 and C2.
 #[derive(Debug)]

@@ -9,7 +9,6 @@ use super::disjoint::{self, About, Disjoint};
 use super::i2::{self, Contacts};
 use super::lift::{Lift, Lifting};
 use super::observer::Observer;
-use super::order::VertexOrder;
 use super::orders::{self, AllOrders};
 use super::positivity::{self, Positivity};
 use super::section::{self, Section};
@@ -17,7 +16,7 @@ use super::witness::NoLift;
 use super::{CertifyError, write};
 use crate::mesh::{self, Connectivity, TriMesh};
 use crate::predicate::StageCounts;
-use crate::shell::{Shell, validate};
+use crate::shell::{Shell, VertexOrder, validate};
 
 /// What to certify.
 #[derive(Clone, Debug)]

@@ -10,14 +10,13 @@ use super::claim::{Claim, Verdict};
 use super::disjoint::Disjoint;
 use super::i2::Contacts;
 use super::lift::{Carriers, Lift};
-use super::order::VertexOrder;
 use super::orders::AllOrders;
 use super::proof::{Facts, Implied, Subject};
 use super::section::Section;
 use super::separate::PlaneName;
 use super::witness::{BadTet, NoLift, Root};
 use crate::mesh::TriMesh;
-use crate::shell::{Name, Shell};
+use crate::shell::{Name, Shell, VertexOrder};
 
 /// A certificate under construction; writing to a `String` cannot fail.
 struct Out {

@@ -4,6 +4,7 @@
 //! corner `i + 2` (mod 3). A [`Side`] is the number `3 f + i`; the same number names the *corner*
 //! `i` of `f`. Everything is built by sorting, so that nothing depends on the order of a hash table.
 //! Any faces are accepted, manifold or not; what is not manifold is there to be asked for.
+//! Handles given to a query must be of the same mesh: others panic, as an index out of range does.
 
 use super::error::MeshError;
 

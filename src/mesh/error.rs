@@ -125,7 +125,7 @@ pub enum Fault {
         count: u64,
     },
     /// A valid part of the format that this reader does not handle.
-    #[error("{0} not supported")]
+    #[error("{0} is not supported")]
     Unsupported(String),
     /// A header that contradicts itself.
     #[error("{0}")]

@@ -89,7 +89,7 @@ pub(super) fn coordinate(token: &[u8], expected: &str) -> Result<f64, Fault> {
 }
 
 /// The next three tokens as coordinates.
-pub(super) fn coordinates<'a>(tokens: &mut impl Iterator<Item = &'a [u8]>) -> Result<[f64; 3], Fault> {
+pub(super) fn coordinates(tokens: &mut dyn Iterator<Item = &[u8]>) -> Result<[f64; 3], Fault> {
     let mut point = [0.0; 3];
     for x in &mut point {
         let Some(token) = tokens.next() else {

@@ -1,9 +1,9 @@
 //! Whether a mesh is an oriented manifold without flat triangles, and facts about it.
 
+use super::TriMesh;
 use super::area::is_zero_area;
 use super::connectivity::{Connectivity, Edge};
 use super::error::MeshError;
-use super::{TriMesh, error};
 use serde::Serialize;
 use std::fmt;
 use thiserror::Error;
@@ -295,7 +295,7 @@ pub fn check(mesh: &TriMesh) -> Result<ValidMesh<'_>, MeshError> {
 }
 
 /// The first index out of range, as an error.
-pub(super) fn indices_in_range(vertices: usize, faces: &[[u32; 3]]) -> Result<(), error::MeshError> {
+pub(super) fn indices_in_range(vertices: usize, faces: &[[u32; 3]]) -> Result<(), MeshError> {
     for (face, corners) in faces.iter().enumerate() {
         if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices) {
             return Err(MeshError::Invalid(Defect::IndexOutOfRange { face, index, vertices }));

@@ -1,5 +1,5 @@
 //! Writers. Decimal text is the shortest that reads back as the same `f64`, so reading what was
-//! written gives every bit again; STL alone forgets vertices (see [`write`]).
+//! written gives every bit again; STL alone forgets vertices (see [`write()`]).
 
 use super::TriMesh;
 use super::error::{Fault, Located, MeshError};
@@ -20,13 +20,16 @@ use std::path::Path;
 pub fn write(path: &Path, mesh: &TriMesh, format: Format) -> Result<(), MeshError> {
     let name = path.to_string_lossy();
     let bytes = encode(mesh, format, &name)?;
+    if std::fs::metadata(path).is_ok_and(|m| !m.is_file()) {
+        return Err(Located::from(Fault::NotAFile).writing(&name));
+    }
     save(path, &bytes).map_err(|e| Located::from(Fault::Io(e.to_string())).writing(&name))
 }
 
-/// The bytes that [`write`] writes; `name` is what errors call the file.
+/// The bytes that [`write()`] writes; `name` is what errors call the file.
 ///
 /// # Errors
-/// As [`write`], the file system apart.
+/// As [`write()`], the file system apart.
 pub fn encode(mesh: &TriMesh, format: Format, name: &str) -> Result<Vec<u8>, MeshError> {
     let encoded = writable(mesh).and_then(|()| match format {
         Format::Obj => Ok(obj(mesh)),

@@ -12,11 +12,13 @@ pub mod vtu;
 
 #[cfg(test)]
 mod file_tests;
+mod order;
 mod pillar;
 #[cfg(test)]
 mod tests;
 mod tets;
 
+pub use order::{OrderError, VertexOrder};
 pub use pillar::PillarCounts;
 pub use tets::Tet;
 

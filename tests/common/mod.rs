@@ -1,36 +1,38 @@
 //! Small shells and meshes with known verdicts: the controls of `certs/corpus`.
+// Each test binary uses its part.
+#![allow(dead_code)]
 
 use homeo::certify::{Claim, Options, VertexOrder};
 use homeo::mesh::TriMesh;
 use homeo::shell::Shell;
 
-pub type Point = [f64; 3];
+pub(crate) type Point = [f64; 3];
 
 /// A shell and a mesh with the verdicts that they must get.
-pub struct Case {
-    pub name: &'static str,
-    pub shell: Shell,
-    pub mesh: TriMesh,
-    pub options: Options,
+pub(crate) struct Case {
+    pub(crate) name: &'static str,
+    pub(crate) shell: Shell,
+    pub(crate) mesh: TriMesh,
+    pub(crate) options: Options,
     /// The claims that are refuted; all others are certified.
-    pub refuted: &'static [Claim],
+    pub(crate) refuted: &'static [Claim],
     /// A line that the certificate must hold (a prefix of one of its lines).
-    pub shows: &'static [&'static str],
+    pub(crate) shows: &'static [&'static str],
 }
 
 /// A shell over points with the same offset down and up at each vertex.
-pub fn extruded(middle: &[Point], faces: &[[u32; 3]], down: Point, up: Point) -> Shell {
+pub(crate) fn extruded(middle: &[Point], faces: &[[u32; 3]], down: Point, up: Point) -> Shell {
     let moved = |d: Point| middle.iter().map(|p| [p[0] + d[0], p[1] + d[1], p[2] + d[2]]).collect();
     Shell { bottom: moved(down), middle: middle.to_vec(), top: moved(up), faces: faces.to_vec() }
 }
 
 /// A shell whose pillars point away from the origin.
-pub fn radial(middle: &[Point], faces: &[[u32; 3]], inner: f64, outer: f64) -> Shell {
+pub(crate) fn radial(middle: &[Point], faces: &[[u32; 3]], inner: f64, outer: f64) -> Shell {
     let scaled = |s: f64| middle.iter().map(|p| p.map(|x| x * s)).collect();
     Shell { bottom: scaled(inner), middle: middle.to_vec(), top: scaled(outer), faces: faces.to_vec() }
 }
 
-pub fn mesh(vertices: &[Point], faces: &[[u32; 3]]) -> TriMesh {
+pub(crate) fn mesh(vertices: &[Point], faces: &[[u32; 3]]) -> TriMesh {
     TriMesh { vertices: vertices.to_vec(), faces: faces.to_vec() }
 }
 
@@ -49,7 +51,7 @@ fn octahedron() -> (Vec<Point>, Vec<[u32; 3]>) {
 }
 
 /// Each triangle in four, new vertices pushed out to about the unit sphere on a grid of 1/256.
-pub fn subdivided(vertices: &[Point], faces: &[[u32; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
+pub(crate) fn subdivided(vertices: &[Point], faces: &[[u32; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
     let mut v = vertices.to_vec();
     let mut mids: std::collections::BTreeMap<[u32; 2], u32> = std::collections::BTreeMap::new();
     let mut out = Vec::new();
@@ -70,7 +72,7 @@ pub fn subdivided(vertices: &[Point], faces: &[[u32; 3]]) -> (Vec<Point>, Vec<[u
 }
 
 /// A square of `n` by `n` cells from the origin, each of side 4, diagonals alternating when `alternate`.
-pub fn grid(n: u32, z: f64, alternate: bool) -> (Vec<Point>, Vec<[u32; 3]>) {
+pub(crate) fn grid(n: u32, z: f64, alternate: bool) -> (Vec<Point>, Vec<[u32; 3]>) {
     let at = |i: u32, j: u32| i * (n + 1) + j;
     let mut v = Vec::new();
     for i in 0..=n {
@@ -93,7 +95,7 @@ pub fn grid(n: u32, z: f64, alternate: bool) -> (Vec<Point>, Vec<[u32; 3]>) {
 }
 
 /// A ring around the z axis that goes `turns` times around before it closes; eight steps a turn.
-pub fn ring(turns: u32, z: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
+pub(crate) fn ring(turns: u32, z: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
     let around = [
         [1.0, 0.0],
         [1.0, 1.0],
@@ -139,7 +141,7 @@ fn pair(z: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
 }
 
 /// All cases.
-pub fn cases() -> Vec<Case> {
+pub(crate) fn cases() -> Vec<Case> {
     let mut out = certified();
     out.extend(refuted_lifts());
     out.extend(refuted_shells());

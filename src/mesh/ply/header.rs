@@ -174,7 +174,7 @@ fn statement(line: &[u8], format: &mut Option<Format>, elements: &mut Vec<Elemen
     }
 }
 
-fn property<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Result<Property, Fault> {
+fn property(words: &mut dyn Iterator<Item = &[u8]>) -> Result<Property, Fault> {
     let first = words.next();
     let kind = if first == Some(b"list") {
         let (count, item) = (Type::parse(words.next())?, Type::parse(words.next())?);

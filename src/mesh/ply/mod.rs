@@ -94,6 +94,16 @@ fn read_faces(
     let found =
         element.properties.iter().position(|p| is_corners(&p.name) && matches!(p.kind, Kind::List { .. }));
     let corners_at = found.ok_or_else(|| missing("list property vertex_indices of face"))?;
+    if let Some(property) = element.properties.get(corners_at)
+        && let Kind::List { item, .. } = property.kind
+        && !item.is_integer()
+    {
+        return Err(Fault::BadHeader(format!(
+            "property {} of face is not a list of integers",
+            property.name
+        ))
+        .into());
+    }
     note_ignored(element, 1, builder);
     builder.mesh.faces = with_room(element.count, source.remaining(), 4);
     let mut corners = Vec::new();

@@ -1,6 +1,31 @@
 //! Total orders of a shell's vertices.
 
-use super::CertifyError;
+/// Why a list is no order of a shell's vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum OrderError {
+    /// Not one entry a vertex.
+    #[error("a vertex order of {entries} entries for {vertices} vertices")]
+    Length {
+        /// Entries of the list.
+        entries: usize,
+        /// Vertices of the shell.
+        vertices: usize,
+    },
+    /// A vertex that does not exist.
+    #[error("vertex order: vertex {vertex} does not exist (the shell has {vertices})")]
+    OutOfRange {
+        /// The entry.
+        vertex: u32,
+        /// Vertices of the shell.
+        vertices: usize,
+    },
+    /// A vertex comes twice.
+    #[error("vertex order: vertex {vertex} comes twice")]
+    Twice {
+        /// The vertex.
+        vertex: u32,
+    },
+}
 
 /// A total order of all vertices of a shell; it selects one decomposition of every prism.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -17,17 +42,15 @@ impl VertexOrder {
     ///
     /// # Errors
     /// The list is not a permutation of `0..vertices`.
-    pub fn from_list(list: Vec<u32>, vertices: usize) -> Result<Self, CertifyError> {
+    pub fn from_list(list: Vec<u32>, vertices: usize) -> Result<Self, OrderError> {
         if list.len() != vertices {
-            return Err(CertifyError::Order {
-                reason: format!("{} entries for {vertices} vertices", list.len()),
-            });
+            return Err(OrderError::Length { entries: list.len(), vertices });
         }
         let mut seen = vec![false; vertices];
         for &v in &list {
             match seen.get_mut(v as usize) {
-                None => return Err(CertifyError::Order { reason: format!("vertex {v} does not exist") }),
-                Some(true) => return Err(CertifyError::Order { reason: format!("vertex {v} comes twice") }),
+                None => return Err(OrderError::OutOfRange { vertex: v, vertices }),
+                Some(true) => return Err(OrderError::Twice { vertex: v }),
                 Some(slot) => *slot = true,
             }
         }
