@@ -16,8 +16,6 @@ from fractions import Fraction
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 import check  # noqa: E402
-import reading  # noqa: E402
-import shapes  # noqa: E402
 
 M4 = [(4, 4, 4), (4, -4, -4), (-4, 4, -4), (-4, -4, 4)]
 F4 = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -230,15 +228,12 @@ class Checks(unittest.TestCase):
         self.rejected("invalid missing-separation", TETRA, mesh, ALL, base + [("i2", "")])
         self.rejected("invalid superfluous", TETRA, mesh, ALL, base + [("i2", "contact-sep 0 0 b0,b1,b2,m2 n:g0,g1")])
         case = check.Case(*TETRA_INPUT)
-        case.prepare()
-        A = [(v, case.G[v]) for v in TETRA[1][0]]
-        prism = next(j for j in range(4) if check.open_contacts(case, 0, j, A) and not case.clear(0, j))
-        names = min(check.open_contacts(case, 0, prism, A))
+        prism, names = open_tet(case)
         tet = ",".join("bmt"[n % 3] + str(n // 3) for n in names)
         self.rejected("invalid not-separated", TETRA, mesh, ALL, base + [("i2", f"contact-sep 0 {prism} {tet} n:g0,g0")])
         shared = next(n for n in names if n % 3 == 1 and n // 3 in TETRA[1][0])
         left, right = [int(v == shared // 3) for v in TETRA[1][0]], [int(n == shared) for n in names]
-        dot, shift = case.sign(0, case.tets(prism)[names]), -3 * case.shift
+        dot, shift = case.dot(0, case.tets(prism)[names]), -3 * (case.unit.bit_length() - 1)
         while dot % 2 == 0:
             dot, shift = dot // 2, shift + 1
         value = f"{dot}*2^{shift}" if shift else str(dot)
@@ -263,10 +258,8 @@ class Checks(unittest.TestCase):
         for third, code in (((1, 2, 0.5), None), ((2, 1, 0.75), "all-orders"), ((2, 0.5, 0.5), "all-orders")):
             points = floats([(1, 1, 0.5), (2, 1, 0.5), third])
             case = check.Case([floats(x) for x in TWO[0]], TWO[1], points, [(0, 1, 2)])
-            case.prepare()
-            pieces = type("K", (), {"rim": [], "cells": [(0, 0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]], None)]})
             try:
-                check.check_all_orders(case, pieces)
+                check.check_all_orders(case, [], [(0, 0, [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]])], [])
                 self.assertIsNone(code)
             except check.Stop as stop:
                 self.assertEqual(stop.args[1], code)
@@ -363,12 +356,12 @@ class Checks(unittest.TestCase):
         self.rejected("invalid area-middle", PRISM, (M3, [(0, 2, 1)]), claims, [("overlay", IDENTITY.replace("1 2\nd", "2 1\nd"))])
 
     def test_size(self):
-        limit, good = reading.LIMIT, certificate(PRISM, None, ["positivity"], [])
+        limit, good = check.LIMIT, certificate(PRISM, None, ["positivity"], [])
         try:
-            for reading.LIMIT, code in ((len(good), "limit size"), (10 ** 6, "valid")):
+            for check.LIMIT, code in ((len(good), "limit size"), (10 ** 6, "valid")):
                 self.assertEqual(self.answer(good + " " * (code != "valid")), code)
         finally:
-            reading.LIMIT = limit
+            check.LIMIT = limit
 
     def test_damage_is_never_internal(self):
         """Random damage of accepted certificates ends with a code of the format."""
@@ -400,13 +393,13 @@ class Checks(unittest.TestCase):
                     text = "\n".join(lines)
                 self.assertNotIn("internal", self.answer(text, PRISM, mesh), text)
 
-    def test_one_point_by_definition(self):
+    def test_null_vector_by_definition(self):
         """Against the rank and the minors of the system, in fractions."""
         draw, seen = random.Random(2), {None: 0, True: 0}
         for _ in range(3000):
             n = draw.randint(2, 7)
             columns = [tuple(draw.randint(-2, 2) for _ in range(3)) + (draw.choice((1, -1)),) for _ in range(n)]
-            answer = check.one_point(columns)
+            answer = check.null_vector(columns)
             line = rank(columns) == n - 1
             self.assertEqual(answer is not None, line)
             seen[line or None] += 1
@@ -422,10 +415,11 @@ class Checks(unittest.TestCase):
         for _ in range(300):
             low = [draw.randint(0, 20) for _ in range(3)]
             boxes.append(tuple(low) + tuple(x + draw.randint(0, 4) for x in low))
-        tree = shapes.box_tree(boxes, list(range(300)))
-        for query in boxes:
+        found = [set() for _ in boxes]
+        check.meeting(boxes, boxes, list(range(300)), list(range(300)), found)
+        for query, met in zip(boxes, found):
             slow = [i for i, b in enumerate(boxes) if all(b[k] <= query[k + 3] and query[k] <= b[k + 3] for k in range(3))]
-            self.assertEqual(sorted(shapes.meeting(tree, boxes, query)), slow)
+            self.assertEqual(sorted(met), slow)
 
     def test_tets_by_definition(self):
         """In the straight unit prism all 24 tets are positive; each order's three fill a slab (volume 3 of 6 sixths)."""
@@ -452,8 +446,8 @@ class Checks(unittest.TestCase):
                 names = (0, 1, 100 + 2 * k, 101 + 2 * k)
                 points[names[2]], points[names[3]] = r + (5,), s + (-7,)
                 order = names if turn(r, s) > 0 else names[:2] + names[:1:-1]
-                tets[names] = (order, 0, 0)
-            fake.case = type("C", (), {"P": points, "M": type("M", (), {"at": {0: [0]}}),
+                tets[names] = (order, 0)
+            fake.case = type("C", (), {"at": lambda self, tags: [points[t] for t in tags], "M": type("M", (), {"at": {0: [0]}}),
                                        "volume": lambda self, t: check.det(*(points[n] for n in t[0]))})()
             fake.S, fake.stars = [tets], {}
             rays = [r for w in wedges for r in w]
@@ -464,6 +458,17 @@ class Checks(unittest.TestCase):
             self.assertEqual(fake.injective_star((0, 1)), not overlap, wedges)
             seen.add(overlap)
         self.assertEqual(len(seen), 2)
+
+
+def open_tet(case):
+    """A prism and the least of its tets that mesh triangle 0 may touch, by the definition in section 3.6."""
+    A = [~v for v in case.T.faces[0]]
+    for prism in range(len(case.M.faces)):
+        for names, tet in sorted(case.tets(prism).items()):
+            planes = [case.planes[0]] + [check.plane(*case.at(x)) for x in itertools.combinations(names, 3)]
+            if case.dot(0, tet) <= 0 and check.meet(check.box(case.at(A)), check.box(case.at(names))):
+                if not any(check.separates(case, [h], A, list(names)) for h in planes) and not case.clear(0, prism):
+                    return prism, names
 
 
 def turn(a, b):
