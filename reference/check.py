@@ -32,14 +32,15 @@ def read_file(path, code, size, kind):
     return data
 
 # ---- section 2, and "Certificate file" of section 3
-CLAIMS = "positivity section bijection section-all-orders disjoint-mesh disjoint-bottom disjoint-top i2".split()
+CLAIMS = ["positivity", "section", "bijection", "section-all-orders",
+          "disjoint-mesh", "disjoint-bottom", "disjoint-top", "i2"]
 ID, W, NAME = "(?:0|[1-9][0-9]{0,9})", "(?:0|[1-9][0-9]*)", "[bmt](?:0|[1-9][0-9]{0,9})"
 number = lambda text: int(text[:DIGITS + 2])  # numbers that are cut short are over the limit of digits
 numbers = lambda text: tuple(map(number, text.split(" ")))
 tag = lambda text: ~int(text[1:]) if text[0] == "g" else 3 * int(text[1:]) + "bmt".index(text[0])
 tags = lambda text: tuple(map(tag, text.split(",")))
 FIELDS = {  # kind: regular expression and value of a field
-    **dict.fromkeys("IVTPGCD", (ID, int)),  # any ID; V shell vertex, T triangle, P prism, C `v` line, D `c` line
+    **dict.fromkeys("IVTPGCD", (ID, int)),  # any, shell vertex, triangle, prism, mesh vertex, `v`, `c` line
     "K": ("|".join(CLAIMS), str), "R": ("certified|refuted", str), "H": ("[0-9a-f]{64}", str),
     "A": (rf"(?!0 0 0\b){W} {W} {W}", numbers), "B": (rf"(?!0 0 0 0\b){W} {W} {W} {W}", numbers),  # weights
     "J": ("0|-?[1-9][0-9]{0,9}", int),  # INT, and VALUE as (odd, exponent):
@@ -47,14 +48,15 @@ FIELDS = {  # kind: regular expression and value of a field
           lambda text: tuple(map(number, (text + "*2^0").split("*2^")[:2]))),
     "S": (f"{ID}(?:,{ID}){{0,2}}", lambda text: tuple(map(int, text.split(",")))),  # TIDS
     "N": (f"{NAME}(?:,{NAME})*", tags), "Q": (f"{NAME}(?:,{NAME}){{3}}", tags),  # NAMES, TET, and PLANE:
-    "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID), lambda text: (text[0], tags(text[2:])))}
+    "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID),
+          lambda text: (text[0], tags(text[2:])))}
 
 @functools.lru_cache(None)
 def grammar(spec):
-    """A line's expression, a group for each field, and its fields; a number of times may follow a field's kind."""
+    """A line's expression, a group for each field, and its fields (kind, how often if not once)."""
     words = [(word[0], word[1:]) if word[0] in FIELDS else ("", word) for word in spec.split(" ")]
-    parts = [" " + rest if not kind else rf"((?: (?:{FIELDS[kind][0]})){rest})" if rest else f" ({FIELDS[kind][0]})"
-             for kind, rest in words]
+    field = lambda one, times: f"((?: (?:{one})){times})" if times else f" ({one})"
+    parts = [field(FIELDS[kind][0], rest) if kind else " " + rest for kind, rest in words]
     return re.compile(("\n" + "".join(parts)[1:] + "(?=\n)").encode()), [word for word in words if word[0]]
 
 class Certificate:
@@ -72,7 +74,8 @@ class Certificate:
         self.mesh = None if list(self.claims) == ["positivity"] else self.line("mesh H I I")
         self.bound = dict(zip("VPGT", self.shell[1:] + (self.mesh or [0, 0, 0])[1:]))
         other = lambda f: len(f[0]) == self.shell[1] and distinct(f[0]) and f[0] != list(range(len(f[0])))
-        self.order, = self.line("order list V+", other) if self.ahead("order list") else [self.line("order id")]
+        self.order, = self.line("order list V+", other) if self.ahead("order list") else [None]
+        self.order or self.line("order id")
         self.pinched = self.line("pinched I V*", lambda f: ascending(f[1]))
         for name in filter(present.get, present):
             self.line("begin " + name)
@@ -87,7 +90,7 @@ class Certificate:
     def ahead(self, words):
         return re.compile(f"\n{words}[ \n]".encode()).match(self.data, self.at)
     def line(self, spec, good=lambda fields: True):
-        """The fields of the next line, checked for syntax, then digits, then range; `at` is the LF before it."""
+        """The fields of the next line, checked for syntax, digits, range; `at` is the LF before it."""
         pattern, kinds = grammar(spec)
         match, self.row = pattern.match(self.data, self.at), self.row + 1
         self.ok(match)
@@ -100,7 +103,8 @@ class Certificate:
         self.ok(all(self.in_range(*item) for item in items), "range")
         return fields
     def in_range(self, kind, value):
-        points = value if kind in "NQ" else value[1] if kind == "L" else [~v for v in value] if kind == "S" else ()
+        points = value if kind in "NQ" else value[1] if kind == "L" else ()
+        points = [~v for v in value] if kind == "S" else points
         return (all(-self.bound["G"] <= p < 3 * self.bound["V"] for p in points)
                 and (kind not in self.bound or value < self.bound[kind]))
     def many(self, spec, least=1, good=lambda fields, previous: True):
@@ -128,12 +132,14 @@ class Certificate:
         if name == "overlay":
             return self.overlay()
         if name in ("no-section", "no-order"):
-            return self.line("first V+", lambda f: distinct(f[0])) if name == "no-order" else [[]], self.witness()
+            first = self.line("first V+", lambda f: distinct(f[0]))[0] if name == "no-order" else []
+            return first, self.witness()
         other, good = ("T", lambda f: f[0] < f[1]) if name == "disjoint-mesh" else ("P", lambda f: True)
         if certified:
             spec, key = ("contact-sep T P Q L+", 3) if name == "i2" else (f"sep T {other} L+", 2)
             return self.many(spec, 0, lambda f, previous: good(f) and previous[:key] < f[:key])
-        return self.many("contact T P Q A B X" if name == "i2" else f"cross T {other} A A", 1, lambda f, _: good(f))
+        spec = "contact T P Q A B X" if name == "i2" else f"cross T {other} A A"
+        return self.many(spec, 1, lambda f, previous: good(f))
     def overlay(self):
         vertices, named = {}, ([], [])
         while not vertices or self.ahead("v"):
@@ -168,10 +174,11 @@ class Certificate:
 # ---- "Inputs" of section 3; section 5 (OFF, OBJ), section 6 (HDF5)
 DECIMAL, INDEX = rb"\s+([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)", rb"\s+0*([0-9]{1,10})"
 OFF_HEAD = re.compile(rb"\s*OFF" + 2 * INDEX + rb"\s+[0-9]+(?!\S)").match
-OFF_ROWS = re.compile(3 * DECIMAL + rb"(?!\S)").match, re.compile(rb"\s+3" + 3 * INDEX + rb"(?!\S)[^\n]*").match
+OFF_ROWS = (re.compile(3 * DECIMAL + rb"(?!\S)").match,
+            re.compile(rb"\s+3" + 3 * INDEX + rb"(?!\S)[^\n]*").match)
 OBJ_ROWS = (re.compile(rb"\s*v" + 3 * DECIMAL + rb"(?!\S)").match,
             re.compile(rb"\s*f" + 3 * (INDEX + rb"(?:/\S*)?") + rb"\s*").fullmatch)
-WRONG = ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error  # what bad inputs raise
+WRONG = ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error  # by bad inputs
 
 def read_mesh(data):
     """(points, triangles) of an OFF or OBJ file; a row that does not match raises AttributeError."""
@@ -187,7 +194,8 @@ def read_mesh(data):
     for line in () if off else re.finditer(rb"^[ \t\f\r]*([vf])(?!\S).*", data, re.MULTILINE):
         k = b"vf".index(line[1])
         rows[k].append(OBJ_ROWS[k](line[0]).groups())
-    return checked([tuple(map(float, p)) for p in rows[0]], [tuple(int(v) - (not off) for v in f) for f in rows[1]])
+    faces = [tuple(int(v) - (not off) for v in f) for f in rows[1]]
+    return checked([tuple(map(float, p)) for p in rows[0]], faces)
 def checked(points, faces):
     """A mesh that has a vertex, finite coordinates and no index out of range."""
     fit(points and all(math.isfinite(x) for p in points for x in p), "coordinates")
@@ -217,18 +225,18 @@ def read_hdf5(data):
         space, n, three = struct.unpack_from("<2s6xQQ", found[1])
         kind, order, bytes_each, form = struct.unpack_from("<BB2xI4s", found[3])
         layout, where, length = struct.unpack_from("<2sQQ", found[8])
+        ieee = struct.pack("<2H4BI", 0, 64, 52, 11, 0, 52, 1023)
+        good = (kind & 15, order & 1, form) == (0, 0, b"\0\0\x20\0")
         if code == "d":
-            good = (kind & 15, order & 65, found[3][8:20]) == (1, 0, struct.pack("<2H4BI", 0, 64, 52, 11, 0, 52, 1023))
-        else:
-            good = (kind & 15, order & 1, form) == (0, 0, b"\0\0\x20\0")
+            good = (kind & 15, order & 65, found[3][8:20]) == (1, 0, ieee)
         fit(good and bytes_each == size and (space, three) == (b"\1\2", 3) and 0xB not in found, "dataset")
-        fit(layout == b"\3\1" and length == 3 * n * size and (n == 0 or where + length <= len(data)), "layout")
+        fit((layout, length) == (b"\3\1", 3 * n * size) and (n == 0 or where + length <= len(data)), "layout")
         return list(struct.iter_unpack("<3" + code, data[where:where + length] if n else b""))
     signature, sizes, base, root = get("<9s4x2s9xQ32xQ", 0)
     tree, heap = struct.unpack_from("<QQ", messages(root)[0x11])
     magic, size, start = get("<5s3xQ8xQ", heap)
-    fit((signature, sizes, base, magic) == (b"\x89HDF\r\n\x1a\n\0", b"\x08\x08", 0, b"HEAP\0"), "not classic HDF5")
-    fit(start + size <= len(data), "heap")
+    fit((signature, sizes, base) == (b"\x89HDF\r\n\x1a\n\0", b"\x08\x08", 0), "not classic HDF5")
+    fit(magic == b"HEAP\0" and start + size <= len(data), "heap")
     names, objects, todo, done = data[start:start + size], {}, [tree], set()
     for node in todo:
         magic, kind, count = get("<4sBxH", node)
@@ -263,7 +271,8 @@ det = lambda a, b, c, d: det3(sub(b, a), sub(c, a), sub(d, a))
 sides = lambda a, b, c: ((a, b), (b, c), (c, a))
 fan = lambda c: [(c[0], c[i], c[i + 1]) for i in range(1, len(c) - 1)]
 box = lambda points: (*map(min, zip(*points)), *map(max, zip(*points)))
-meet = lambda a, b: (a[0] <= b[3] and b[0] <= a[3] and a[1] <= b[4] and b[1] <= a[4] and a[2] <= b[5] and b[2] <= a[5])
+meet = lambda a, b: (a[0] <= b[3] and b[0] <= a[3] and a[1] <= b[4] and b[1] <= a[4]
+                     and a[2] <= b[5] and b[2] <= a[5])
 
 def plane(a, b, c):
     """(n, h): n . x - h is det[b-a, c-a, x-a]."""
@@ -291,48 +300,49 @@ def meeting(A, B, left, right, found):
         meeting(A, B, left, right[:half], found)
         meeting(A, B, left, right[half:], found)
 
+def parts(items, near):
+    """Numbers the items by their part: what is connected through near(item), numbered by first items."""
+    number, count = {}, 0
+    for start in items:
+        todo = [start] if start not in number else []
+        count += len(todo)
+        for item in todo:
+            if item not in number:
+                number[item] = count - 1
+                todo += near(item)
+    return number
+
 class Complex:
-    """Oriented triangles, found by vertex (`at`), directed edge and vertex set; boundary simplices, components."""
+    """Oriented triangles, by vertex (`at`), directed edge, vertex set; boundary (`rim`), components."""
     def __init__(self, faces):
-        self.faces, self.at, self.edge, self.component, self.count = faces, {}, {}, {}, 0
+        self.faces, self.at, self.edge = faces, {}, {}
         for i, f in enumerate(faces):
             for v, w in sides(*f):
                 self.edge[v, w] = i
                 self.at.setdefault(v, []).append(i)
         self.find = {frozenset(f): i for i, f in enumerate(faces)}
-        self.rim = {frozenset(s) for a, b in self.edge if (b, a) not in self.edge for s in ((a, b), (a,), (b,))}
-        for start in range(len(faces)):
-            todo = [start] if start not in self.component else []
-            self.count += len(todo)
-            for i in todo:
-                if i not in self.component:
-                    self.component[i] = self.count - 1
-                    todo += [self.edge[b, a] for a, b in sides(*faces[i]) if (b, a) in self.edge]
+        rim = [(a, b) for a, b in self.edge if (b, a) not in self.edge]
+        self.rim = {frozenset(s) for a, b in rim for s in ((a, b), (a,), (b,))}
+        across = lambda i: [(e, self.edge[e[::-1]]) for e in sides(*faces[i]) if e[::-1] in self.edge]
+        self.component = parts(range(len(faces)), lambda i: [j for _, j in across(i)])
+        self.count = len(set(self.component.values()))
         self.euler = len(self.at) - len(set(map(frozenset, self.edge))) + len(faces)
-    def manifold(self):
-        """No repeated corner, directed edge or triangle; the triangles at a vertex are one path or cycle."""
-        n = len(self.faces)
-        if not n or any(len(set(f)) < 3 for f in self.faces) or len(self.edge) < 3 * n or len(self.find) < n:
-            return False
-        for v, around in self.at.items():
-            link = {f[f.index(v) - 2]: f[f.index(v) - 1] for f in (self.faces[i] for i in around)}
-            here = next(iter(link.keys() - set(link.values())), next(iter(link)))
-            while here in link:
-                here = link.pop(here)
-            if link:
-                return False
-        return True
+        fans = parts([(v, i) for v in self.at for i in self.at[v]],
+                     lambda corner: [(corner[0], j) for e, j in across(corner[1]) if corner[0] in e])
+        self.manifold = (len(faces) > 0 and all(distinct(f) for f in faces) and len(self.find) == len(faces)
+                         and len(self.edge) == 3 * len(faces) and len(set(fans.values())) == len(self.at))
 
-ORDERS = {}  # for each order of a prism's corners its three tets: (four (corner, 0 lo | 1 hi), pillar's corner)
+ORDERS = {}  # order of a prism's corners: its three tets, as (four (corner, 0 lo | 1 hi), pillar's corner)
 for u, v, w in itertools.permutations(range(3)):
-    tets = ((u, 0), (v, 0), (w, 0), (w, 1)), ((u, 0), (v, 0), (v, 1), (w, 1)), ((u, 0), (u, 1), (v, 1), (w, 1))
+    a, b, c, d, e, f = itertools.product((u, v, w), (0, 1))
+    tets = (a, c, e, f), (a, c, d, f), (a, b, d, f)
     positive = [det(*((c == 1, c == 2, h) for c, h in tet)) > 0 for tet in tets]  # in the straight unit prism
     ORDERS[u, v, w] = [((p, q, r, s) if good else (p, q, s, r), pillar)
                        for (p, q, r, s), good, pillar in zip(tets, positive, (w, v, u))]
 ALL12 = list({frozenset(t): (t, pillar) for three in ORDERS.values() for t, pillar in three}.values())
 
 class Case:
-    """Shell and mesh in integers (times `unit`): points `X` by tag, names `N` by vertex, complexes `M` and `T`."""
+    """Shell and mesh in integers (times `unit`): points `X` by tag, names `N` by vertex; `M` and `T`."""
     def __init__(self, layers, prisms, points, triangles):
         self.unit = max(x.as_integer_ratio()[1] for p in itertools.chain(*layers, points) for x in p)
         scale = lambda p: tuple(n * (self.unit // d) for n, d in map(float.as_integer_ratio, p))
@@ -380,16 +390,16 @@ class Case:
 
 # ---- section 3, binding; section 3.1, positivity
 def sha(layers, faces):
-    tables = [struct.pack(f"<{3 * len(points)}d", *itertools.chain(*points)) for points in layers]
-    return hashlib.sha256(b"".join(tables) + struct.pack(f"<{3 * len(faces)}I", *itertools.chain(*faces))).hexdigest()
+    pack = lambda code, rows: struct.pack(f"<{3 * len(rows)}{code}", *itertools.chain(*rows))
+    return hashlib.sha256(b"".join(pack("d", layer) for layer in layers) + pack("I", faces)).hexdigest()
 def bind(cert, layers, prisms, points, triangles):
     """The inputs are those that the certificate names, and fit to be judged."""
     need(cert.shell == [sha(layers, prisms), len(layers[0]), len(prisms)], "hash", "shell")
     need(cert.mesh in (None, [sha([points], triangles), len(points), len(triangles)]), "hash", "mesh")
     case = Case(layers, prisms, points, triangles if cert.mesh else [])
     pins = [sum(3 * v + 1 in case.pins for v in f) for f in prisms]
-    need(case.M.manifold() and max(pins) < 3, "shell-conditions")
-    need(not cert.mesh or case.T.manifold() and all(any(n) for n, _ in case.planes), "mesh-conditions")
+    need(case.M.manifold and max(pins) < 3, "shell-conditions")
+    need(not cert.mesh or case.T.manifold and all(any(n) for n, _ in case.planes), "mesh-conditions")
     need(cert.pinched == [8 * sum(pins), case.pinned], "pinched")
     return case
 def check_tet(case, fact, tets):
@@ -491,7 +501,8 @@ def check_all_orders(case, points, cells, rim):
         for side in ((), *sides(*case.M.faces[j])):
             q, corners = case.M.edge.get(side[::-1]) if side else j, case.corners[f]
             if q is not None and not case.clear(f, q):
-                pieces = [cut(case, p, x, corners) for x in walls(*side) if volume(x) for p in rows] if side else rows
+                tets = [x for x in walls(*side) if volume(x)] if side else []
+                pieces = [cut(case, p, x, corners) for x in tets for p in rows] if side else rows
                 for names in [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]:
                     flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
                     need(all(flat), "all-orders", f"triangle {f}, prism {q}")
@@ -510,10 +521,10 @@ class Witness:
             need(values == facts, "wrong-value")
             need(values[0] != values[1], "not-refuted")
     def tet(self, names):
-        """The prism of a tet of S, and whether the tet is positive."""
+        """The prism of a tet of S."""
         prism = self.case.M.find.get(frozenset(n // 3 for n in names))
         need(prism is not None and names in self.S[prism], "unknown-tet")
-        return prism, self.case.volume(self.S[prism][names]) > 0
+        return prism
     def coordinates(self, x, prism, names):
         """{name: positive coordinate} of x = (x, y, z, w) in a tet; {} outside or in a bad tet."""
         order = self.S[prism][names][0]
@@ -550,14 +561,14 @@ class Witness:
         need(len(landed) < len(facts), "not-refuted")
     def leg(self, f, weights, branch, tet, steps):
         """Walks a leg; its last station as (f, weights in T, coordinates in the tet, prism, tet)."""
-        (prism, positive), faces, corners = self.tet(tet), self.case.T.faces, self.case.corners
-        need(positive and set(branch) <= set(tet), "wrong-step")
-        here = self.coordinates(mix(corners[f], weights), prism, tet)
+        prism, faces, corners = self.tet(tet), self.case.T.faces, self.case.corners
+        here = self.coordinates(mix(corners[f], weights), prism, tet)  # {} if the tet is not positive
+        need(here and set(branch) <= set(tet), "wrong-step")
         for g, weights, new in steps:
-            next_prism, positive = self.tet(new)
-            x, used = mix(corners[g], weights), {v for v, w in zip(faces[g], weights) if w}
+            next_prism, x = self.tet(new), mix(corners[g], weights)
+            used = {v for v, w in zip(faces[g], weights) if w}
             before, after = self.coordinates(x, prism, tet), self.coordinates(x, next_prism, new)
-            good = positive and used <= set(faces[f]) and before and before.keys() == after.keys()
+            good = used <= set(faces[f]) and before and before.keys() == after.keys()
             star = len(here) > 2 or len(here) == 2 and self.injective_star(tuple(sorted(here)))
             need(good and star, "wrong-step", f"step on {g}")
             f, prism, tet, here = g, next_prism, new, after
@@ -590,10 +601,10 @@ def listed_planes(case, f, planes):
         n = sub(b, a) if kind == "n" else cross(sub(b, a), sub(c[0], a) if c else case.planes[f][0])
         yield n, dot(n, a)
 def check_contacts(case, name, facts, certified):
-    """Sections 3.5 and 3.6: A is a mesh triangle, B another one, a bottom or top triangle, or (`i2`) a tet."""
+    """Sections 3.5 and 3.6: A is a mesh triangle, B one too, a bottom or top triangle, or a tet (`i2`)."""
     T, i2, k = [tuple(~v for v in f) for f in case.T.faces], name == "i2", 2 * (name == "disjoint-top")
     layer = T if name == "disjoint-mesh" else [tuple(case.N[v][k] for v in f) for f in case.M.faces]
-    others = lambda f, j: {t: case.dot(f, x) for t, x in case.tets(j).items()} if i2 else {layer[j]: 0}  # dots
+    others = lambda f, j: {t: case.dot(f, x) for t, x in case.tets(j).items()} if i2 else {layer[j]: 0}
     facts = [(f, j, *rest) if i2 else (f, j, layer[j], *rest) for f, j, *rest in facts]
     for f, j, B, *rest in facts if not certified else ():
         dots, (u, w), at = others(f, j), rest[:2], f"{f} {j}"
@@ -607,7 +618,7 @@ def check_contacts(case, name, facts, certified):
         check_apart(case, T, case.boxes if i2 else [box(case.at(B)) for B in layer], facts,
                     lambda f, j: {} if layer is T and j <= f or i2 and case.clear(f, j) else others(f, j))
 def check_apart(case, T, boxes, facts, others):
-    """Walks all pairs of a mesh triangle f and B in others(f, j): planes are listed just where they are needed."""
+    """Walks all pairs of a mesh triangle f and B in others(f, j): planes are listed just where needed."""
     listed, lines = {fact[:3]: fact[3] for fact in facts}, [[] for _ in T]
     for f, *pair in listed:
         lines[f].append(tuple(pair))
@@ -643,7 +654,7 @@ def check_claims(case, cert):
         elif name == "section-all-orders" and verdict == "certified":
             check_all_orders(case, *K)
         elif name == "section-all-orders" and "no-order" in blocks:
-            (first,), witness = blocks["no-order"]
+            first, witness = blocks["no-order"]
             Witness(case, case.decomposition(dict.fromkeys([*first, *order])), *witness)
         elif name in blocks:
             check_contacts(case, name, blocks[name], verdict == "certified")
@@ -657,7 +668,7 @@ def run(paths):
         return 0, "\n".join(["valid"] + [f"{name} {verdict}" for name, verdict in cert.claims.items()])
     except Stop as stop:
         kind, code, why = stop.args
-        return {"invalid": 1, "malformed": 2, "limit": 3}[kind], f"{kind} {code}" + (" : " + why if why else "")
+        return ["", "invalid", "malformed", "limit"].index(kind), f"{kind} {code}" + (why and f" : {why}")
     except Exception as error:  # a last resort: never an answer, never `valid`
         return 3, f"limit internal : {type(error).__name__}"
 
