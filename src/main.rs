@@ -1,3 +1,7 @@
 //! The `homeo` command.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    homeo::cli::main()
+}

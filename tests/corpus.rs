@@ -1,5 +1,7 @@
 //! `certs/corpus` holds the certificates of the small shells as golden files: the certifier must write them again, byte
 //! for byte, with any number of threads. `HOMEO_BLESS=1 cargo test --test corpus` rewrites them.
+// Helpers of tests may panic; clippy knows that only inside `#[test]` functions.
+#![allow(clippy::expect_used)]
 
 mod common;
 

@@ -59,6 +59,11 @@ pub(crate) enum Reason {
         /// Index of the corner.
         corner: u8,
     },
+    /// A side on bottom and top: the edge between two pinched vertices, each of which is allowed by itself.
+    CapSide {
+        /// Index of the side: from this corner to the next.
+        side: u8,
+    },
     /// A side on a boundary wall inside the mesh.
     Wall {
         /// Index of the side: from this corner to the next.
@@ -224,6 +229,9 @@ impl Lifting<'_> {
         let common = mask_a & mask_b;
         let along = self.carriers(piece.face, piece.tet, common);
         let violation = |reason| Err(Stop::Violation(Violation { piece: id, reason }));
+        if self.complex.in_cap(along.shell()) {
+            return violation(Reason::CapSide { side });
+        }
         let on_wall = self.complex.in_boundary_wall(along.shell());
         let mesh_side = common & SIDES;
         let face = if mesh_side == 0 {

@@ -54,6 +54,7 @@ impl Lifting<'_> {
         };
         let (weights, ending) = match v.reason {
             Reason::Cap { corner } => (all[usize::from(corner)].clone(), Ending::Cap),
+            Reason::CapSide { side: s } => (side(s), Ending::Cap),
             Reason::Wall { side: s } => (side(s), Ending::Wall),
             Reason::Boundary { side: s } => (side(s), Ending::Boundary),
             Reason::Fold => (mean(&all), Ending::Fold),

@@ -277,7 +277,7 @@ impl Seconds {
     }
 
     fn total(&self, claim: Claim) -> f64 {
-        self.0.iter().filter(|(c, _)| *c == claim).map(|(_, s)| s).sum()
+        self.0.iter().filter(|(c, _)| *c == claim).fold(0.0, |total, (_, s)| total + s)
     }
 }
 

@@ -5,6 +5,7 @@
 //! and [`vtu`] read and write files, [`validate`] states the input conditions.
 
 pub mod decomposition;
+mod facts;
 pub mod hdf5;
 pub mod three;
 pub mod validate;
@@ -18,6 +19,7 @@ mod pillar;
 mod tests;
 mod tets;
 
+pub use facts::ShellFacts;
 pub use order::{OrderError, VertexOrder};
 pub use pillar::PillarCounts;
 pub use tets::Tet;

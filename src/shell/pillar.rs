@@ -4,7 +4,7 @@ use super::Shell;
 use dashu_int::IBig;
 
 /// How many vertices have a pillar of each kind; the three add up to the number of vertices.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub struct PillarCounts {
     /// `m` lies exactly on the segment `b t`, which is not a single point with it.
     pub straight: usize,

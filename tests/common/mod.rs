@@ -1,6 +1,8 @@
 //! Small shells and meshes with known verdicts: the controls of `certs/corpus`.
 // Each test binary uses its part.
 #![allow(dead_code)]
+// Helpers of tests may panic; clippy knows that only inside `#[test]` functions.
+#![allow(clippy::unwrap_used)]
 
 use homeo::certify::{Claim, Options, VertexOrder};
 use homeo::mesh::TriMesh;

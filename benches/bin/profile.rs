@@ -1,0 +1,52 @@
+//! Certifies one shell on one thread and prints the seconds of each claim and the peak memory: what to run a profiler
+//! on.
+//!
+//!     homeo-profile FILE.h5 | same:FREQUENCY | initial:FREQUENCY | simplified:FREQUENCY [check]
+//!
+//! With `check` the checker runs after it, on the certificate and the meshes.
+
+use std::error::Error;
+use std::path::Path;
+
+use homeo::shell::hdf5;
+use homeo_benches::generate::{Generated, initial, same, simplified};
+use homeo_benches::run::{checker_inputs, on_one_thread, peak_memory, whole};
+
+fn input(name: &str) -> Result<Generated, Box<dyn Error>> {
+    if let Some((kind, frequency)) = name.split_once(':') {
+        let frequency: u32 = frequency.parse()?;
+        return match kind {
+            "same" => Ok(same(frequency)),
+            "initial" => Ok(initial(frequency)),
+            "simplified" => Ok(simplified(frequency, 2)),
+            _ => Err(format!("no generator {kind}").into()),
+        };
+    }
+    let file = hdf5::read(Path::new(name))?;
+    Ok(Generated { shell: file.shell, mesh: file.mesh.ok_or("the file holds no mesh")? })
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let name = std::env::args().nth(1).ok_or("usage: homeo-profile SHELL.h5 | KIND:FREQUENCY")?;
+    let input = input(&name)?;
+    println!("{} mesh triangles, {} prisms", input.mesh.faces.len(), input.shell.faces.len());
+    let (outcome, seconds) = on_one_thread(|| whole(&input))??;
+    for claim in &outcome.claims {
+        println!("{:20} {} {:.3} s", claim.claim.name(), claim.verdict, claim.seconds);
+        claim.counts.iter().for_each(|c| println!("    {}: {}", c.what, c.count));
+        claim.refutations.iter().take(3).for_each(|r| println!("    {}", r.text));
+    }
+    println!("certificate_bytes={}", outcome.certificate.len());
+    println!("seconds={seconds:.3}");
+    if let Some(mib) = peak_memory() {
+        println!("peak_mib={mib:.1}");
+    }
+    if std::env::args().nth(2).as_deref() == Some("check") {
+        let files = checker_inputs(&input)?;
+        let start = std::time::Instant::now();
+        let answer = homeo_certs::check(outcome.certificate.as_ref(), &files);
+        let seconds = start.elapsed().as_secs_f64();
+        println!("checker: {} {} {} {seconds:.3} s", answer.status, answer.code, answer.message);
+    }
+    Ok(())
+}

@@ -1,0 +1,8 @@
+//! What the benches and the cross-validation share: generated shells, real shells, the CGAL programs, tables.
+
+pub mod cgal;
+pub mod generate;
+pub mod quads;
+pub mod real;
+pub mod run;
+pub mod table;

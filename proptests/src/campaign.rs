@@ -1,0 +1,152 @@
+//! Runs random cases against the clock, and compares the certifier's verdicts with the oracle's.
+
+use std::collections::BTreeMap;
+use std::env;
+use std::time::{Duration, Instant};
+
+use homeo::certify::{CertifyError, Claim, Options, Outcome, Silent, Verdict, certify};
+use proptest::test_runner::{Config, TestRunner};
+
+use crate::oracle::World;
+use crate::oracle::lift::{Section, failing_order, section};
+use crate::recipe::{Case, Recipe, recipes};
+
+/// What happened how often.
+pub type Tally = BTreeMap<String, u64>;
+
+/// Cases between two looks at the clock.
+const BATCH: u32 = 64;
+
+/// Runs a property on random recipes: on `HOMEO_CASES` many when that is set, else for `seconds`.
+///
+/// # Panics
+/// With the smallest recipe found that fails, and its case.
+pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>, String>) {
+    let wanted: Option<u32> =
+        env::var("HOMEO_CASES").ok().map(|n| n.parse().expect("HOMEO_CASES is a number"));
+    let deadline = wanted.is_none().then(|| Instant::now() + Duration::from_secs(seconds));
+    let config = Config {
+        cases: wanted.unwrap_or(10_000_000),
+        failure_persistence: None,
+        max_shrink_iters: 2000,
+        ..Config::default()
+    };
+    let tally = std::cell::RefCell::new(Tally::new());
+    let counted = std::cell::RefCell::new(0u64);
+    let over = || deadline.is_some_and(|d| Instant::now() > d);
+    let mut done = 0;
+    while done < config.cases && !over() {
+        // A runner counts its successes over all its runs: a new one for each batch.
+        let mut runner = TestRunner::new(Config { cases: BATCH, ..config.clone() });
+        let result = runner.run(&recipes(), |recipe| {
+            if over() {
+                return Ok(());
+            }
+            *counted.borrow_mut() += 1;
+            let notes =
+                property(&recipe, &recipe.build()).map_err(proptest::test_runner::TestCaseError::fail)?;
+            let mut tally = tally.borrow_mut();
+            notes.into_iter().for_each(|n| *tally.entry(n).or_default() += 1);
+            Ok(())
+        });
+        if let Err(error) = result {
+            let proptest::test_runner::TestError::Fail(reason, recipe) = error else { panic!("{error}") };
+            panic!("{reason}\n{recipe:?}\n{:#?}", recipe.build());
+        }
+        done += BATCH;
+    }
+    let counted = counted.borrow();
+    eprintln!("{counted} cases: {:?}", tally.borrow());
+}
+
+/// Certifies all claims; `Ok(None)` where the input is refused.
+///
+/// # Errors
+/// An internal contradiction, or a branched lift although C1 holds.
+pub fn certified(case: &Case, positive: bool) -> Result<Option<Outcome>, String> {
+    let options = Options { claims: Claim::ALL.to_vec(), order: case.vertex_order() };
+    match certify(&case.shell, Some(&case.mesh), &options, &Silent) {
+        Ok(outcome) => Ok(Some(outcome)),
+        Err(CertifyError::Shell(_) | CertifyError::Mesh(_)) => Ok(None),
+        Err(CertifyError::Branched { .. }) if !positive => Ok(None),
+        Err(e) => Err(format!("no verdict: {e}")),
+    }
+}
+
+/// The verdict on a claim.
+#[must_use]
+pub fn holds(outcome: &Outcome, claim: Claim) -> bool {
+    outcome.claims.iter().any(|c| c.claim == claim && c.verdict == Verdict::Certified)
+}
+
+/// The orders that the oracle tries for C3 at most: all of them with up to five vertices, some for the tori.
+fn orders(case: &Case) -> usize {
+    if case.shell.faces.len() <= 8 { 120 } else { 8 }
+}
+
+/// The order (ranks) of the block `no-order`, if the certificate has one.
+fn first_vertices(outcome: &Outcome, case: &Case) -> Option<Vec<usize>> {
+    let line = outcome.certificate.lines().find_map(|l| l.strip_prefix("first "))?;
+    let mut order: Vec<u32> = line.split(' ').map(|v| v.parse().unwrap()).collect();
+    let rest: Vec<u32> = case.order.iter().copied().filter(|v| !order.contains(v)).collect();
+    order.extend(rest);
+    Some(Case { order, ..case.clone() }.rank())
+}
+
+/// Compares all verdicts with the oracle's.
+///
+/// # Errors
+/// What differs.
+pub fn compare(case: &Case) -> Result<Vec<String>, String> {
+    let mut notes = Vec::new();
+    let valid =
+        homeo::shell::validate::validate(&case.shell).is_ok() && homeo::mesh::check(&case.mesh).is_ok();
+    if !valid {
+        return Ok(vec!["refused".into()]);
+    }
+    let mut world = World::new(&case.shell, &case.mesh);
+    let positive = world.positivity();
+    let Some(outcome) = certified(case, positive)? else { return Ok(vec!["branched".into()]) };
+    let mut same = |what: &str, claimed: bool, truth: bool| {
+        notes.push(format!("{what} {}", if truth { "holds" } else { "fails" }));
+        if claimed == truth {
+            Ok(())
+        } else {
+            Err(format!("{what}: the certifier says {claimed}, the oracle {truth}"))
+        }
+    };
+    same("C1", holds(&outcome, Claim::Positivity), positive)?;
+    let embedded = world.mesh_embedded();
+    let apart = [world.cap_disjoint(0), world.cap_disjoint(2)];
+    let parts = outcome.claims.iter().find(|c| c.claim == Claim::Disjoint).map_or(&[][..], |c| &c.parts);
+    for (part, (name, truth)) in
+        parts.iter().zip([("mesh", embedded), ("bottom", apart[0]), ("top", apart[1])])
+    {
+        assert_eq!(part.about, name);
+        same(&format!("C6 {name}"), part.verdict == Verdict::Certified, truth)?;
+    }
+    same("C6", holds(&outcome, Claim::Disjoint), embedded && apart == [true; 2])?;
+    let here = section(&mut world, &case.rank());
+    if here == Section::Ambiguous {
+        if positive {
+            return Err("tets overlap around an edge although C1 holds".into());
+        }
+        notes.push("ambiguous".into());
+        return Ok(notes);
+    }
+    let exists = here == Section::Exists;
+    same("C2", holds(&outcome, Claim::Section), exists)?;
+    same("C4", holds(&outcome, Claim::Bijection), exists)?;
+    let claimed = holds(&outcome, Claim::SectionAllOrders);
+    let all_orders = positive && exists && {
+        match first_vertices(&outcome, case) {
+            // The witness names an order: that one must fail.
+            Some(rank) => section(&mut world, &rank) == Section::Exists,
+            None => failing_order(&mut world, orders(case)).is_none(),
+        }
+    };
+    same("C3", claimed, all_orders)?;
+    let i2 = all_orders && apart == [true; 2] && world.contacts_face_up();
+    same("C3+", holds(&outcome, Claim::I2), i2)?;
+    Ok(notes)
+}

@@ -1,0 +1,81 @@
+//! Minimal cases of disagreements that random cases found.
+#![allow(clippy::unwrap_used)]
+
+use homeo::certify::Claim;
+use homeo::mesh::TriMesh;
+use homeo::shell::Shell;
+use homeo_proptests::Case;
+use homeo_proptests::campaign::{certified, compare, holds};
+use homeo_proptests::judged::inputs;
+use homeo_proptests::oracle::World;
+
+fn tetrahedron() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let points = vec![[4., 4., 4.], [4., -4., -4.], [-4., 4., -4.], [-4., -4., 4.]];
+    (points, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
+}
+
+/// Vertices 0 and 2 pinched: the edge between them lies in bottom and top.
+fn pinched_edge(mesh: TriMesh) -> Case {
+    let (middle, faces) = tetrahedron();
+    let scale = |s: f64| {
+        let at = |(v, p): (usize, &[f64; 3])| if v % 2 == 0 { *p } else { p.map(|x| x * s) };
+        middle.iter().enumerate().map(at).collect()
+    };
+    let shell = Shell { bottom: scale(0.5), top: scale(1.5), middle: middle.clone(), faces };
+    Case { shell, mesh, order: vec![0, 1, 2, 3] }
+}
+
+/// All claims are refuted but C1 and the mesh's own embedding, and the checker accepts that.
+fn refuted(case: &Case) {
+    assert!(World::new(&case.shell, &case.mesh).positivity());
+    compare(case).unwrap();
+    let outcome = certified(case, true).unwrap().unwrap();
+    assert!(holds(&outcome, Claim::Positivity));
+    assert!(!holds(&outcome, Claim::Section));
+    let answer = homeo_certs::check(outcome.certificate.as_bytes(), &inputs(case));
+    assert_eq!((answer.exit, answer.code), (0, ""), "{}\n{}", answer.message, outcome.certificate);
+}
+
+/// A mesh that leaves the shell through such an edge got no verdict ("the tets wind more than once", though C1 holds).
+#[test]
+fn leaving_through_an_edge_with_two_pinched_ends() {
+    let (mut vertices, _) = tetrahedron();
+    vertices.push([1., 0., 2.]);
+    let faces = vec![[0, 1, 2], [0, 2, 4], [0, 3, 1], [1, 3, 2], [2, 3, 4], [3, 0, 4]];
+    refuted(&pinched_edge(TriMesh { vertices, faces }));
+}
+
+/// The middle surface itself runs along such an edge: off bottom and top it is not, whether or not it has a vertex there.
+#[test]
+fn running_along_an_edge_with_two_pinched_ends() {
+    let (mut vertices, faces) = tetrahedron();
+    refuted(&pinched_edge(TriMesh { vertices: vertices.clone(), faces }));
+    vertices.push([0., 4., 0.]);
+    let split = vec![[0, 1, 4], [4, 1, 2], [4, 2, 3], [0, 4, 3], [0, 3, 1], [1, 3, 2]];
+    refuted(&pinched_edge(TriMesh { vertices, faces: split }));
+}
+
+/// Around the middle pillar the prisms wind twice although C1 holds; a mesh triangle that holds the pillar is a fold.
+#[test]
+fn a_pillar_wound_around_twice() {
+    let rim = [[6., 0., 0.], [-2., 4., 0.], [-2., -4., 0.]];
+    let middle: Vec<[f64; 3]> = [vec![[0.; 3]], rim.to_vec(), rim.to_vec()].concat();
+    let lift = |h: f64| middle.iter().map(|p| [p[0], p[1], p[2] + h]).collect::<Vec<_>>();
+    let faces: Vec<[u32; 3]> = (0..6u32).map(|i| [0, 1 + i, 1 + (i + 1) % 6]).collect();
+    let shell = Shell { bottom: lift(-4.), top: lift(4.), middle: middle.clone(), faces: faces.clone() };
+    let same = TriMesh { vertices: middle.clone(), faces: faces.clone() };
+    let case = Case { shell, mesh: same, order: (0..7).collect() };
+    compare(&case).unwrap();
+    let outcome = certified(&case, true).unwrap().unwrap();
+    assert!(holds(&outcome, Claim::Section), "the middle surface is a section of itself, wound or not");
+    let answer = homeo_certs::check(outcome.certificate.as_bytes(), &inputs(&case));
+    assert_eq!((answer.exit, answer.code), (0, ""), "{}", answer.message);
+    // Vertex 7 is above the centre: the triangle 0 1 7 stands on edge.
+    let mut mesh = TriMesh { vertices: middle, faces };
+    mesh.vertices.push([0., 0., 2.]);
+    mesh.faces.extend([[1, 2, 7], [2, 0, 7]]);
+    mesh.faces[0] = [0, 1, 7];
+    let case = Case { mesh, ..case };
+    compare(&case).unwrap();
+    assert!(!holds(&certified(&case, true).unwrap().unwrap(), Claim::Section));
+}

@@ -1,0 +1,20 @@
+//! The certifier's verdicts against the oracle's, on random shells and meshes in degenerate position.
+// quickcheck wants values.
+#![allow(clippy::needless_pass_by_value)]
+
+use homeo_proptests::campaign::{compare, run};
+use homeo_proptests::recipe::Recipe;
+
+#[test]
+fn verdicts_agree_with_the_definitions() {
+    run(40, |_, case| compare(case));
+}
+
+#[test]
+fn verdicts_agree_with_the_definitions_quickcheck() {
+    fn property(recipe: Recipe) -> Result<(), String> {
+        compare(&recipe.build()).map(drop)
+    }
+    let tests = std::env::var("HOMEO_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(500);
+    quickcheck::QuickCheck::new().tests(tests).quickcheck(property as fn(Recipe) -> Result<(), String>);
+}

@@ -1,0 +1,91 @@
+//! Usage and input errors: everything that ends with exit code 2.
+
+use crate::certify::CertifyError;
+use crate::mesh::MeshError;
+use crate::shell::hdf5;
+use crate::shell::three::ThreeError;
+use crate::shell::validate::ShellError;
+use crate::shell::vtu::VtuError;
+
+/// Why a command has no answer. Printed as one line on standard error; exit code 2.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CliError {
+    /// Arguments that do not fit together.
+    #[error("{0}")]
+    Usage(String),
+    /// A file could not be read.
+    #[error("{file}: {reason}")]
+    Read {
+        /// The file.
+        file: String,
+        /// The reason, with the line or element.
+        reason: String,
+    },
+    /// A file could not be written.
+    #[error("{file}: not written: {reason}")]
+    Write {
+        /// The file.
+        file: String,
+        /// The reason.
+        reason: String,
+    },
+    /// A mesh could not be read or written.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// A shell file could not be read.
+    #[error(transparent)]
+    Shell(#[from] hdf5::ReadError),
+    /// Three meshes that are no shell.
+    #[error("{files}: {source}")]
+    Three {
+        /// The three files.
+        files: String,
+        /// The reason.
+        source: ThreeError,
+    },
+    /// A shell could not be encoded.
+    #[error("{file}: not written: {source}")]
+    Encode {
+        /// The output file.
+        file: String,
+        /// The reason.
+        source: hdf5::WriteError,
+    },
+    /// A shell could not be written for ParaView.
+    #[error(transparent)]
+    Vtu(#[from] VtuError),
+    /// A shell that is no valid input.
+    #[error("{file}: the shell is no valid input: {source}")]
+    InvalidShell {
+        /// The file.
+        file: String,
+        /// The reason.
+        source: ShellError,
+    },
+    /// A mesh that is no valid input.
+    #[error("{file}: the mesh is no valid input: {source}")]
+    InvalidMesh {
+        /// The file.
+        file: String,
+        /// The reason.
+        source: MeshError,
+    },
+    /// No verdict for another reason.
+    #[error("{files}: {source}")]
+    Certify {
+        /// The input files.
+        files: String,
+        /// The reason.
+        source: CertifyError,
+    },
+    /// The user pressed Ctrl-C.
+    #[error("interrupted; nothing was written")]
+    Interrupted,
+    /// The independent checker does not accept what the certifier wrote. Never a verdict.
+    #[error("internal contradiction, please report it with the input: the independent checker says `{0}`")]
+    Disagreement(String),
+    /// The worker threads could not be started.
+    #[error("--threads: {0}")]
+    Threads(String),
+}

@@ -1,0 +1,152 @@
+//! Standard output, standard error, and files that are replaced only on success.
+
+use std::fmt::Display;
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::CliError;
+
+/// One line on standard error. File names and messages of others may hold line breaks and control characters.
+pub(super) fn complain(error: &dyn Display) {
+    let _ = writeln!(io::stderr(), "homeo: {}", one_line(&error.to_string()));
+}
+
+/// The text without control characters, at most 2000 characters of it.
+pub(super) fn one_line(text: &str) -> String {
+    text.chars().take(2000).map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+/// Text to standard output. A reader that went away (`| head`) is no error.
+pub(super) fn print(text: &str) -> Result<(), CliError> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
+            Err(CliError::Write { file: "standard output".to_owned(), reason: e.to_string() })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A value as JSON text with a final line break.
+pub(super) fn json<T: Serialize>(value: &T) -> Result<String, CliError> {
+    let text = serde_json::to_string_pretty(value)
+        .map_err(|e| CliError::Write { file: "JSON".to_owned(), reason: e.to_string() })?;
+    Ok(text + "\n")
+}
+
+/// Where JSON goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Json {
+    /// Words are wanted.
+    None,
+    /// In place of the words.
+    Stdout,
+    /// Into a file, and words on standard output.
+    File(PathBuf),
+}
+
+impl Json {
+    /// From `--json [FILE]` and a positional argument. The first of `--json FILE` and `FILE --json` also parses
+    /// without the JSON file; when the positional argument is missing it is what `--json` took.
+    pub(super) fn from_arguments(json: Option<PathBuf>, positional: &mut Option<PathBuf>) -> Self {
+        match json {
+            None => Self::None,
+            Some(file) if file.as_os_str() == "-" => Self::Stdout,
+            Some(file) if positional.is_none() => {
+                *positional = Some(file);
+                Self::Stdout
+            }
+            Some(file) => Self::File(file),
+        }
+    }
+
+    /// The file, if it is one.
+    pub(super) fn file(&self) -> Option<&Path> {
+        match self {
+            Self::File(file) => Some(file),
+            _ => None,
+        }
+    }
+
+    /// Prints words or JSON, as asked; a JSON file is written first.
+    pub(super) fn emit<T: Serialize>(&self, value: &T, words: &str) -> Result<(), CliError> {
+        match self {
+            Self::None => print(words),
+            Self::Stdout => print(&json(value)?),
+            Self::File(file) => {
+                replace(file, json(value)?.as_bytes())?;
+                print(words)
+            }
+        }
+    }
+}
+
+/// Checks before long work that a file can be put there: not an input, not an existing directory or device, and in a
+/// directory that exists.
+pub(super) fn may_write(path: &Path, inputs: &[&Path]) -> Result<(), CliError> {
+    let refuse =
+        |reason: &str| CliError::Write { file: path.display().to_string(), reason: reason.to_owned() };
+    if path.as_os_str().is_empty() {
+        return Err(refuse("the file name is empty"));
+    }
+    if inputs.iter().any(|input| same_file(path, input)) {
+        return Err(refuse("it is an input file"));
+    }
+    match fs::metadata(path) {
+        Ok(there) if !there.is_file() => return Err(refuse("there is something that is not a regular file")),
+        _ => {}
+    }
+    match fs::metadata(parent(path)) {
+        Ok(there) if there.is_dir() => Ok(()),
+        Ok(_) => Err(refuse("its directory is not a directory")),
+        Err(e) => Err(refuse(&format!("its directory: {e}"))),
+    }
+}
+
+fn parent(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    let (Ok(there), Ok(other)) = (fs::metadata(a), fs::metadata(b)) else {
+        // One of them does not exist yet: the same name in the same directory.
+        let place =
+            |path: &Path| fs::canonicalize(parent(path)).ok().zip(path.file_name().map(ToOwned::to_owned));
+        return a == b || place(a).is_some_and(|a| Some(a) == place(b));
+    };
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt as _;
+        (there.dev(), there.ino()) == (other.dev(), other.ino())
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = (there, other);
+        matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
+    }
+}
+
+/// Puts all bytes into a temporary file in the same directory and renames it: an existing file is replaced whole or
+/// not at all. A link is followed.
+pub(super) fn replace(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    save(&target, bytes)
+        .map_err(|e| CliError::Write { file: path.display().to_string(), reason: e.to_string() })
+}
+
+fn save(target: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        // The umask applies, as to any other new file; the default would be private to the user.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(parent(target))?;
+    file.write_all(bytes)?;
+    file.persist(target)?;
+    Ok(())
+}
