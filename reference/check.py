@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Second, independent checker of homeo certificates: python3 check.py CERT INPUT...
 
-It follows certs/FORMAT.md (version 1), whose sections are cited below, and needs only the standard library.
-Every decision is made on Python integers: all coordinates are multiplied by one common power of two. A *tag*
-is an integer that names a point: 3 * vertex + layer (b 0, m 1, t 2) for a shell name, ~v for mesh vertex v.
-Exit codes: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
+It follows certs/FORMAT.md (version 1), whose sections are cited below, and needs only the standard library. Every
+decision is made on Python integers: all coordinates are multiplied by one common power of two. A *tag* is an integer
+that names a point: 3 * vertex + layer (b 0, m 1, t 2) for a shell name, ~v for mesh vertex v. The readers of the input
+files stand in inputs.py. Exit codes: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
 """
 import functools, hashlib, itertools, math, re, struct, sys
+from inputs import WRONG, read_file, read_inputs
 
-LIMIT, DIGITS = 2 ** 30, 4000
+DIGITS = 4000
+chain = itertools.chain.from_iterable
 ascending = lambda items: all(a < b for a, b in zip(items, items[1:]))
 distinct = lambda items: len(set(items)) == len(items)
 
@@ -16,22 +18,9 @@ class Stop(Exception):
     """The first failure: kind (`invalid`, `malformed`, `limit`), code, explanation."""
 
 def need(condition, code, why="", kind="invalid"):
-    """Stops with `code` unless the condition holds."""
-    if not condition:
-        raise Stop(kind, code, why)
-def fit(condition, why=""):
-    need(condition, "input", why, "malformed")
-def read_file(path, code, size, kind):
-    """All bytes of a file, else `malformed code`; `kind size` if there are more than LIMIT."""
-    try:
-        with open(path, "rb") as file:
-            data = b"".join(itertools.islice(iter(lambda: file.read(1 << 20), b""), LIMIT // 2 ** 20 + 1))
-    except (OSError, ValueError):
-        raise Stop("malformed", code, f"cannot read {path!a}") from None
-    need(len(data) <= LIMIT, size, f"{path!a} is too large", kind)
-    return data
+    if not condition: raise Stop(kind, code, why)
 
-# ---- section 2, and "Certificate file" of section 3
+# ---- section 2, the file, and "Certificate file" of section 3
 CLAIMS = ["positivity", "section", "bijection", "section-all-orders",
           "disjoint-mesh", "disjoint-bottom", "disjoint-top", "i2"]
 ID, W, NAME = "(?:0|[1-9][0-9]{0,9})", "(?:0|[1-9][0-9]*)", "[bmt](?:0|[1-9][0-9]{0,9})"
@@ -48,12 +37,10 @@ FIELDS = {  # kind: regular expression and value of a field
           lambda text: tuple(map(number, (text + "*2^0").split("*2^")[:2]))),
     "S": (f"{ID}(?:,{ID}){{0,2}}", lambda text: tuple(map(int, text.split(",")))),  # TIDS
     "N": (f"{NAME}(?:,{NAME})*", tags), "Q": (f"{NAME}(?:,{NAME}){{3}}", tags),  # NAMES, TET, and PLANE:
-    "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID),
-          lambda text: (text[0], tags(text[2:])))}
+    "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID), lambda text: (text[0], tags(text[2:])))}
 
 @functools.lru_cache(None)
-def grammar(spec):
-    """A line's expression, a group for each field, and its fields (kind, how often if not once)."""
+def grammar(spec):  # A line's expression, a group for each field, and its fields (kind, how often if not once)
     words = [(word[0], word[1:]) if word[0] in FIELDS else ("", word) for word in spec.split(" ")]
     field = lambda one, times: f"((?: (?:{one})){times})" if times else f" ({one})"
     parts = [field(FIELDS[kind][0], rest) if kind else " " + rest for kind, rest in words]
@@ -92,29 +79,30 @@ class Certificate:
     def line(self, spec, good=lambda fields: True):
         """The fields of the next line, checked for syntax, digits, range; `at` is the LF before it."""
         pattern, kinds = grammar(spec)
-        match, self.row = pattern.match(self.data, self.at), self.row + 1
+        match, self.row, fields, items = pattern.match(self.data, self.at), self.row + 1, [], []
         self.ok(match)
-        self.at, read = match.end(), lambda kind, text: FIELDS[kind][1](text)
-        fields = [[read(k, x) for x in text.decode().split(" ")[1:]] if times else read(k, text.decode())
-                  for (k, times), text in zip(kinds, match.groups())]
-        items = [(k, x) for (k, times), value in zip(kinds, fields) for x in (value if times else [value])]
+        self.at = match.end()
+        for (kind, times), text in zip(kinds, match.groups()):
+            values = [FIELDS[kind][1](x) for x in (text.decode().split(" ")[1:] if times else [text.decode()])]
+            fields.append(values if times else values[0])
+            items += [(kind, value) for value in values]
         self.ok(all(ascending(value) for kind, value in items if kind in "NQS") and good(fields))
         self.ok(not re.search(rb"(?<![0-9])[0-9]{%d}" % (DIGITS + 1), match[0]), "digits", "limit")
         self.ok(all(self.in_range(*item) for item in items), "range")
         return fields
     def in_range(self, kind, value):
-        points = value if kind in "NQ" else value[1] if kind == "L" else ()
-        points = [~v for v in value] if kind == "S" else points
+        points = value if kind in "NQ" else value[1] if kind == "L" else [~v for v in value] if kind == "S" else ()
         return (all(-self.bound["G"] <= p < 3 * self.bound["V"] for p in points)
                 and (kind not in self.bound or value < self.bound[kind]))
-    def many(self, spec, least=1, good=lambda fields, previous: True):
-        """`least` or more lines that start with the first word of spec."""
-        lines = []
-        while len(lines) < least or self.ahead(spec.split(" ")[0]):
-            lines.append(self.line(spec, lambda fields: good(fields, lines[-1] if lines else [])))
-        return lines
-    def plan(self):
-        """Checks that the claims fit together; for each block, in order, whether it is present."""
+    def each(self, spec, least=1, good=lambda fields, previous: True):
+        """`least` or more lines that start with the first words of spec."""
+        fields, words = [], re.split(" (?=[A-Z])", spec)[0]
+        while least > 0 or self.ahead(words):
+            fields, least = self.line(spec, lambda found: good(found, fields)), least - 1
+            yield fields
+    def many(self, *args):
+        return list(self.each(*args))
+    def plan(self):  # Checks that the claims fit together; for each block, in order, whether it is present
         said, refuted = self.claims.get, lambda *names: any(self.claims.get(x) == "refuted" for x in names)
         parts = {"section-all-orders": ("positivity", "section"), "i2": ("section-all-orders", *CLAIMS[5:7])}
         self.ok(said("section") == said("bijection"), "claims")
@@ -125,142 +113,42 @@ class Certificate:
                 "no-order": refuted("section-all-orders") and not refuted("positivity", "section"),
                 **{name: said(name) for name in CLAIMS[4:7]},
                 "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
-    def block(self, name, certified):
-        """The fact lines of a block."""
-        if name == "positivity":
-            return self.many("tet P Q X")
-        if name == "overlay":
-            return self.overlay()
+    def block(self, name, certified):  # The fact lines of a block
+        if name == "positivity": return self.many("tet P Q X")
+        if name == "overlay": return self.overlay()
         if name in ("no-section", "no-order"):
             first = self.line("first V+", lambda f: distinct(f[0]))[0] if name == "no-order" else []
             return first, self.witness()
-        other, good = ("T", lambda f: f[0] < f[1]) if name == "disjoint-mesh" else ("P", lambda f: True)
+        j, good = ("T", lambda f: f[0] < f[1]) if name == "disjoint-mesh" else ("P", lambda f: True)
         if certified:
-            spec, key = ("contact-sep T P Q L+", 3) if name == "i2" else (f"sep T {other} L+", 2)
+            spec, key = ("contact-sep T P Q L+", 3) if name == "i2" else (f"sep T {j} L+", 2)
             return self.many(spec, 0, lambda f, previous: good(f) and previous[:key] < f[:key])
-        spec = "contact T P Q A B X" if name == "i2" else f"cross T {other} A A"
-        return self.many(spec, 1, lambda f, previous: good(f))
+        return self.many("contact T P Q A B X" if name == "i2" else f"cross T {j} A A", 1, lambda f, _: good(f))
     def overlay(self):
         vertices, named = {}, ([], [])
-        while not vertices or self.ahead("v"):
-            fact = tuple(self.line("v S N"))
-            self.ok(fact not in vertices, "duplicate")
-            vertices[fact] = None
+        for ids, names in self.each("v S N"):
+            self.ok((ids, names) not in vertices, "duplicate")
+            vertices[ids, names] = None
         self.bound["C"] = len(vertices)
-        cells = [cell for cell, in self.many("c C{3,}", 1, lambda f, _: distinct(f[0]))]
+        cells = [cell for cell, in self.each("c C{3,}", 1, lambda f, _: distinct(f[0]))]
         self.bound["D"] = len(cells)
-        for lines, words in zip(named, ("d mesh", "d middle")):
-            while not lines or self.ahead(words):
-                lines.append(tuple(self.line(words + " D I")))
-                self.ok(lines[-1][1] < len(cells[lines[-1][0]]) - 2, "range")
+        for lines, word in zip(named, ("mesh", "middle")):
+            for cell, triangle in self.each(f"d {word} D I"):
+                self.ok(triangle < len(cells[cell]) - 2, "range")
+                lines.append((cell, triangle))
         return vertices, cells, named
     def witness(self):
-        """A no-lift witness: its word and facts."""
-        for words, fields in (("topology components", " I I"), ("topology euler", " J J"), ("tet", " P Q X")):
-            if self.ahead(words):
-                return words, self.line(words + fields)
-        leg, roots = lambda: (*self.line("start Q"), self.many("step T A Q", 0)), []
-        while not roots or self.ahead("root"):
-            roots.append((*self.line("root T A"), []))
-            branches = roots[-1][-1]
-            while self.ahead("branch"):
-                names, = self.line("branch N", lambda f: not branches or branches[-1][0] < f[0])
-                legs = [leg()] + ([leg()] if self.ahead("start") else [])
-                reasons = "twice monodromy" if len(legs) > 1 else "cap wall boundary fold lands"
-                reason = next(filter(self.ahead, reasons.split()), "reason")
-                branches.append((names, legs, reason, self.line(reason)))
-        return "roots", roots
-
-# ---- "Inputs" of section 3; section 5 (OFF, OBJ), section 6 (HDF5)
-DECIMAL, INDEX = rb"\s+([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)", rb"\s+0*([0-9]{1,10})"
-OFF_HEAD = re.compile(rb"\s*OFF" + 2 * INDEX + rb"\s+[0-9]+(?!\S)").match
-OFF_ROWS = (re.compile(3 * DECIMAL + rb"(?!\S)").match,
-            re.compile(rb"\s+3" + 3 * INDEX + rb"(?!\S)[^\n]*").match)
-OBJ_ROWS = (re.compile(rb"\s*v" + 3 * DECIMAL + rb"(?!\S)").match,
-            re.compile(rb"\s*f" + 3 * (INDEX + rb"(?:/\S*)?") + rb"\s*").fullmatch)
-WRONG = ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error  # by bad inputs
-
-def read_mesh(data):
-    """(points, triangles) of an OFF or OBJ file; a row that does not match raises AttributeError."""
-    data = data.replace(b"\v", b"?")  # which is not white space here
-    text, rows = re.sub(rb"#[^\n]*", b"", data), ([], [])
-    off = text.lstrip().startswith(b"OFF")
-    if off:
-        at, counts = OFF_HEAD(text).end(), OFF_HEAD(text).groups()
-        for k, _ in ((k, _) for k in (0, 1) for _ in range(int(counts[k]))):
-            match = OFF_ROWS[k](text, at)
-            rows[k].append(match.groups())
-            at = match.end()
-    for line in () if off else re.finditer(rb"^[ \t\f\r]*([vf])(?!\S).*", data, re.MULTILINE):
-        k = b"vf".index(line[1])
-        rows[k].append(OBJ_ROWS[k](line[0]).groups())
-    faces = [tuple(int(v) - (not off) for v in f) for f in rows[1]]
-    return checked([tuple(map(float, p)) for p in rows[0]], faces)
-def checked(points, faces):
-    """A mesh that has a vertex, finite coordinates and no index out of range."""
-    fit(points and all(math.isfinite(x) for p in points for x in p), "coordinates")
-    fit(all(0 <= v < len(points) for f in faces for v in f), "index out of range")
-    return points, faces
-def read_hdf5(data):
-    """The function from the names of two datasets in the root group of an HDF5 file to a mesh."""
-    get = lambda layout, at: struct.unpack_from(layout, data, at)
-    def messages(at):
-        """The first message of each type of an object header, its continuation blocks included."""
-        version, left, size = get("<BxH4xI", at)
-        found, todo, done = {}, [(at + 16, size)], set()
-        for at, size in todo:
-            end = at + size
-            fit(version == 1 and at not in done and end <= len(data), "object header")
-            done.add(at)
-            while left and at + 8 <= end:
-                kind, length, flags = get("<HHB", at)
-                at, left = at + 8 + length, left - 1
-                fit(at <= end and not (flags & 2 and kind in (1, 3, 8, 0x11)), "message")
-                found.setdefault(kind, data[at - length:at])
-                todo += [struct.unpack_from("<QQ", data[at - length:at])] if kind == 0x10 else []
-        return found
-    def rows(name, code):
-        """The rows of a dataset of triples (code d: doubles, i: integers of 4 bytes)."""
-        found, size = messages(objects[name]), struct.calcsize(code)
-        space, n, three = struct.unpack_from("<2s6xQQ", found[1])
-        kind, order, bytes_each, form = struct.unpack_from("<BB2xI4s", found[3])
-        layout, where, length = struct.unpack_from("<2sQQ", found[8])
-        ieee = struct.pack("<2H4BI", 0, 64, 52, 11, 0, 52, 1023)
-        good = (kind & 15, order & 1, form) == (0, 0, b"\0\0\x20\0")
-        if code == "d":
-            good = (kind & 15, order & 65, found[3][8:20]) == (1, 0, ieee)
-        fit(good and bytes_each == size and (space, three) == (b"\1\2", 3) and 0xB not in found, "dataset")
-        fit((layout, length) == (b"\3\1", 3 * n * size) and (n == 0 or where + length <= len(data)), "layout")
-        return list(struct.iter_unpack("<3" + code, data[where:where + length] if n else b""))
-    signature, sizes, base, root = get("<9s4x2s9xQ32xQ", 0)
-    tree, heap = struct.unpack_from("<QQ", messages(root)[0x11])
-    magic, size, start = get("<5s3xQ8xQ", heap)
-    fit((signature, sizes, base) == (b"\x89HDF\r\n\x1a\n\0", b"\x08\x08", 0), "not classic HDF5")
-    fit(magic == b"HEAP\0" and start + size <= len(data), "heap")
-    names, objects, todo, done = data[start:start + size], {}, [tree], set()
-    for node in todo:
-        magic, kind, count = get("<4sBxH", node)
-        fit(node not in done and (magic == b"SNOD" or (magic, kind) == (b"TREE", 0)), "group")
-        done.add(node)
-        todo += [get("<Q", node + 32 + 16 * k)[0] for k in range(count if magic == b"TREE" else 0)]
-        for start, where in [get("<QQ", node + 8 + 40 * k) for k in range(count if magic == b"SNOD" else 0)]:
-            name = names[start:names.index(b"\0", start)]
-            fit(name not in objects, "name used twice")
-            objects[name] = where
-    return lambda points, faces: checked(rows(points, "d"), rows(faces, "i"))
-def read_inputs(paths, mesh_needed):
-    """(the three layers' points, prisms, mesh points, triangles) from one to four files."""
-    try:
-        fit(1 <= len(paths) <= 4, "one to four input files")
-        files = [read_file(path, "input", "input", "malformed") for path in paths]
-        shell = read_hdf5(files[0]) if len(files) <= 2 else None
-        layers = [shell(x, b"mF") for x in (b"mbase", b"mV", b"mtop")] if shell else map(read_mesh, files[:3])
-        points, faces = zip(*layers)
-        fit(len(set(map(len, points))) == 1 and faces[0] == faces[1] == faces[2], "layers that differ")
-        mesh = read_mesh(files[-1]) if len(files) in (2, 4) else mesh_needed and shell(b"ref.V", b"ref.F")
-        return points, faces[0], *(mesh or ([], []))
-    except WRONG as error:
-        raise Stop("malformed", "input", type(error).__name__) from None
+        for words, fields in (("topology components", "I I"), ("topology euler", "J J"), ("tet", "P Q X")):
+            if self.ahead(words): return words, self.line(f"{words} {fields}")
+        return "roots", [(*root, list(self.branches())) for root in self.each("root T A")]
+    def branches(self):
+        leg = lambda: (*self.line("start Q"), self.many("step T A Q", 0))
+        for names, in self.each("branch N", 0, lambda f, previous: previous < f):
+            legs = [leg()] + ([leg()] if self.ahead("start") else [])
+            reasons = ["twice", "monodromy"] if len(legs) > 1 else ["cap", "wall", "boundary", "fold", "lands"]
+            reason = next(filter(self.ahead, reasons), reasons[0])
+            self.line(reason)
+            yield names, legs, reason
 
 # ---- section 1: words
 sub = lambda a, b: (a[0] - b[0], a[1] - b[1], a[2] - b[2])
@@ -274,32 +162,25 @@ box = lambda points: (*map(min, zip(*points)), *map(max, zip(*points)))
 meet = lambda a, b: (a[0] <= b[3] and b[0] <= a[3] and a[1] <= b[4] and b[1] <= a[4]
                      and a[2] <= b[5] and b[2] <= a[5])
 
-def plane(a, b, c):
-    """(n, h): n . x - h is det[b-a, c-a, x-a]."""
+def plane(a, b, c):  # (n, h): n . x - h is det[b-a, c-a, x-a]
     n = cross(sub(b, a), sub(c, a))
     return n, dot(n, a)
-def mix(points, weights):
-    """The weighted point as (x, y, z, w)."""
+def mix(points, weights):  # The weighted point as (x, y, z, w)
     return tuple(sum(w * p[k] for w, p in zip(weights, points)) for k in range(3)) + (sum(weights),)
-def projected(weights):
-    """For {name: weight}, the sums over the names of each vertex."""
+def projected(weights):  # For {name: weight}, the sums over the names of each vertex
     return {v: sum(x for n, x in weights.items() if n // 3 == v) for v in {n // 3 for n in weights}}
-def proportional(a, b):
-    """Whether two points, given as {vertex: positive weight}, are equal."""
+def proportional(a, b):  # Whether two points, given as {vertex: positive weight}, are equal
     return a.keys() == b.keys() and all(a[k] * sum(b.values()) == b[k] * sum(a.values()) for k in a)
 def meeting(A, B, left, right, found):
     """Adds to found[i] all j of which the closed boxes A[i], B[j] meet: halves `right`, prunes `left`."""
     hull = box([B[j][:3] for j in right] + [B[j][3:] for j in right])
     left, half = [i for i in left if meet(A[i], hull)], len(right) // 2
     if len(right) <= 4:
-        for i in left:
-            found[i].update(j for j in right if meet(A[i], B[j]))
+        for i in left: found[i].update(j for j in right if meet(A[i], B[j]))
     elif left:
         axis = max(range(3), key=lambda k: hull[k + 3] - hull[k])
         right = sorted(right, key=lambda j: B[j][axis] + B[j][axis + 3])
-        meeting(A, B, left, right[:half], found)
-        meeting(A, B, left, right[half:], found)
-
+        for some in (right[:half], right[half:]): meeting(A, B, left, some, found)
 def parts(items, near):
     """Numbers the items by their part: what is connected through near(item), numbered by first items."""
     number, count = {}, 0
@@ -329,7 +210,7 @@ class Complex:
         self.euler = len(self.at) - len(set(map(frozenset, self.edge))) + len(faces)
         fans = parts([(v, i) for v in self.at for i in self.at[v]],
                      lambda corner: [(corner[0], j) for e, j in across(corner[1]) if corner[0] in e])
-        self.manifold = (len(faces) > 0 and all(distinct(f) for f in faces) and len(self.find) == len(faces)
+        self.manifold = (len(faces) > 0 and all(map(distinct, faces)) and len(self.find) == len(faces)
                          and len(self.edge) == 3 * len(faces) and len(set(fans.values())) == len(self.at))
 
 ORDERS = {}  # order of a prism's corners: its three tets, as (four (corner, 0 lo | 1 hi), pillar's corner)
@@ -344,21 +225,21 @@ ALL12 = list({frozenset(t): (t, pillar) for three in ORDERS.values() for t, pill
 class Case:
     """Shell and mesh in integers (times `unit`): points `X` by tag, names `N` by vertex; `M` and `T`."""
     def __init__(self, layers, prisms, points, triangles):
-        self.unit = max(x.as_integer_ratio()[1] for p in itertools.chain(*layers, points) for x in p)
+        self.unit = max(x.as_integer_ratio()[1] for p in chain([*layers, points]) for x in p)
         scale = lambda p: tuple(n * (self.unit // d) for n, d in map(float.as_integer_ratio, p))
         self.X = [scale(p) for triple in zip(*layers) for p in triple] + [scale(p) for p in points[::-1]]
         self.pinned = [v for v, (b, m, t) in enumerate(zip(*layers)) if b == m == t]
         self.pins = {3 * v + 1 for v in self.pinned}
-        name = lambda v, k: 3 * v + (1 if 3 * v + 1 in self.pins else k)
-        self.N = [(name(v, 0), name(v, 1), name(v, 2)) for v in range(len(layers[0]))]
+        self.N = [(3 * v + 1,) * 3 if 3 * v + 1 in self.pins else (3 * v, 3 * v + 1, 3 * v + 2)
+                  for v in range(len(layers[0]))]
         self.M, self.T = Complex(prisms), Complex(triangles)
         self.corners = [self.at(~v for v in f) for f in triangles]
         self.planes = [plane(*c) for c in self.corners]
         self.boxes = [box(self.at(n for v in f for n in self.N[v])) for f in prisms]
-    def at(self, tags):
-        return [self.X[t] for t in tags]
-    def tets(self, prism, chosen=ALL12):
-        """{names: (names in positive order, V)} of a prism, in both slabs."""
+    def at(self, tags): return [self.X[t] for t in tags]
+    def volume(self, tet): return det(*self.at(tet[0]))
+    def dot(self, f, tet): return dot(self.planes[f][0], tet[1])
+    def tets(self, prism, chosen=ALL12):  # {names: (names in positive order, V)} of a prism, in both slabs
         corners, found = [self.N[v] for v in self.M.faces[prism]], {}
         for slab, (t, pillar) in itertools.product((0, 1), chosen):
             lo, hi = corners[pillar][slab:slab + 2]
@@ -366,17 +247,11 @@ class Case:
                 order = [corners[c][slab + h] for c, h in t]
                 found[tuple(sorted(order))] = order, sub(self.X[hi], self.X[lo])
         return found
-    def decomposition(self, order):
-        """S_< by prism, for all vertices, smallest first."""
+    def decomposition(self, order):  # S_< by prism, for all vertices, smallest first
         rank = {v: i for i, v in enumerate(order)}
         chosen = lambda f: ORDERS[tuple(sorted(range(3), key=lambda c: rank[f[c]]))]
         return [self.tets(j, chosen(f)) for j, f in enumerate(self.M.faces)]
-    def volume(self, tet):
-        return det(*self.at(tet[0]))
-    def dot(self, f, tet):
-        return dot(self.planes[f][0], tet[1])
-    def clear(self, f, prism):
-        """Whether f has a positive dot with both halves of all unpinched pillars of the prism."""
+    def clear(self, f, prism):  # Whether f has a positive dot with both halves of all unpinched pillars of the prism
         heights = [[dot(self.planes[f][0], p) for p in self.at(self.N[v])] for v in self.M.faces[prism]
                    if 3 * v + 1 not in self.pins]
         return all(b < m < t for b, m, t in heights)
@@ -388,10 +263,21 @@ class Case:
         free = {n % 3 for n in names if n not in self.pins}
         return free in ({0}, {2}) or not free and len(names) > 1
 
-# ---- section 3, binding; section 3.1, positivity
+# ---- section 3, inputs and binding
 def sha(layers, faces):
-    pack = lambda code, rows: struct.pack(f"<{3 * len(rows)}{code}", *itertools.chain(*rows))
+    pack = lambda code, rows: struct.pack(f"<{3 * len(rows)}{code}", *chain(rows))
     return hashlib.sha256(b"".join(pack("d", layer) for layer in layers) + pack("I", faces)).hexdigest()
+def sound_inputs(paths, mesh_needed):
+    """(the three layers' points, prisms, mesh points, triangles), finite and without an index out of range."""
+    try: layers, mesh = read_inputs(paths, mesh_needed)
+    except WRONG as error: raise Stop("malformed", "input", ascii(error)[:200]) from None
+    sound = lambda points, faces: (points and all(map(math.isfinite, chain(points)))
+                                   and all(0 <= v < len(points) for v in chain(faces)))
+    need(all(sound(*one) for one in layers + [mesh] * bool(mesh)), "input", "a coordinate or an index", "malformed")
+    points, (prisms, *others) = zip(*layers)
+    same = [prisms] * 2 == others and len(set(map(len, points))) == 1
+    need(same, "input", "connectivities that differ", "malformed")
+    return points, prisms, *(mesh or ([], []))
 def bind(cert, layers, prisms, points, triangles):
     """The inputs are those that the certificate names, and fit to be judged."""
     need(cert.shell == [sha(layers, prisms), len(layers[0]), len(prisms)], "hash", "shell")
@@ -402,6 +288,8 @@ def bind(cert, layers, prisms, points, triangles):
     need(not cert.mesh or case.T.manifold and all(any(n) for n, _ in case.planes), "mesh-conditions")
     need(cert.pinched == [8 * sum(pins), case.pinned], "pinched")
     return case
+
+# ---- section 3.1: positivity
 def check_tet(case, fact, tets):
     prism, names, value = fact
     need(names in tets, "unknown-tet", f"prism {prism}")
@@ -419,22 +307,20 @@ def null_vector(columns):
     basis, found = [], []
     for i, column in enumerate(columns):
         row = [*column, *(int(i == j) for j in range(len(columns)))]
-        for pivot, other in basis:
-            row = [other[pivot] * x - row[pivot] * y for x, y in zip(row, other)]
+        for pivot, other in basis: row = [other[pivot] * x - row[pivot] * y for x, y in zip(row, other)]
         common = math.gcd(*row)
         pivot, row = next((k for k in range(4) if row[k]), None), [x // common for x in row]
         (found if pivot is None else basis).append((pivot, row))
     return found[0][1][4:] if len(found) == 1 else None
-def holders(case, S, names):
-    """The tets of S that hold all the names, as (prism, names)."""
+def holders(case, S, names):  # The tets of S that hold all the names, as (prism, names)
     return [(j, t) for j in case.M.at.get(names[0] // 3, ()) for t in S[j] if set(names) <= set(t)]
 def overlay_vertex(case, S, ids, names):
-    """The point of a `v` line as (weights on mesh vertices, weights on shell vertices, names)."""
-    at = f"v line {ids} {names}"
+    """3.2.2: the point of a `v` line as (weights on mesh vertices, weights on shell vertices, names)."""
+    at, n = f"v line {ids} {names}", len(ids)
     need(any(set(ids) <= set(case.T.faces[f]) for f in case.T.at.get(ids[0], ())), "mesh-carrier", at)
     need(holders(case, S, names), "shell-carrier", at)
     need(not case.cap(names), "cap", at)
-    solution, n = null_vector([p + (1,) for p in case.at([~i for i in ids] + [*names])]) or [0], len(ids)
+    solution = null_vector([p + (1,) for p in case.at([~i for i in ids] + [*names])]) or [0]
     total = sum(solution[:n])
     need(total, "no-point", at)
     solution = [x * total for x in solution[:n]] + [-x * total for x in solution[n:]]
@@ -442,11 +328,11 @@ def overlay_vertex(case, S, ids, names):
     return dict(zip(ids, solution)), projected(dict(zip(names, solution[n:]))), set(names)
 def check_overlay(case, S, vertices, lines, named):
     """The complex K as (its points, its cells (f, prism, fan in f), its boundary edges)."""
-    check_positive(case, S)
-    points, cells, images = [overlay_vertex(case, S, *v) for v in vertices], [], {}
-    for k, c in enumerate(lines):
-        over, names, at = [set().union(*(points[i][s] for i in c)) for s in (0, 1, 2)], ..., f"c line {k}"
-        f, j, names = case.T.find.get(frozenset(over[0])), case.M.find.get(frozenset(over[1])), over[2]
+    check_positive(case, S)  # 3.2.1
+    points, cells, images, edges = [overlay_vertex(case, S, *v) for v in vertices], [], {}, set()
+    for k, c in enumerate(lines):  # 3.2.3
+        at, (ids, over, names) = f"c line {k}", (set().union(*(points[i][s] for i in c)) for s in range(3))
+        f, j = case.T.find.get(frozenset(ids)), case.M.find.get(frozenset(over))
         need(f is not None, "cell-mesh", at)
         need(j is not None and any(names <= set(t) for t in S[j]), "cell-shell", at)
         rows = [fan([[points[i][s].get(v, 0) for v in face] for i in c])
@@ -457,14 +343,16 @@ def check_overlay(case, S, vertices, lines, named):
             images.setdefault((0, f), {})[k, i] = a
             images.setdefault((1, j), {})[k, i] = b
         cells.append((f, j, rows[0]))
-    edges = [e for c in lines for triangle in fan(c) for e in sides(*triangle)]
-    need(distinct(edges), "edge-twice")
-    rim = sorted(set(edges) - {(b, a) for a, b in edges})
+    for a, b in (edge for c in lines for triangle in fan(c) for edge in sides(*triangle)):  # 3.2.4
+        need((a, b) not in edges, "edge-twice", f"{a} {b}")
+        need(not case.cap(points[a][2] | points[b][2]), "cap", f"edge {a} {b}")
+        edges.add((a, b))
+    rim = sorted(edges - {(b, a) for a, b in edges})
     for a, b in rim:
         need({*points[a][0], *points[b][0]} in case.T.rim and {*points[a][1], *points[b][1]} in case.M.rim,
              "boundary", f"{a} {b}")
-    need(len(set(itertools.chain(*lines))) == len(points), "isolated")
-    for side, over in enumerate((case.T, case.M)):
+    need(len(set(chain(lines))) == len(points), "isolated")  # 3.2.5
+    for side, over in enumerate((case.T, case.M)):  # 3.2.6
         found = [over.component[cells[cell][side]] for cell, _ in named[side]]
         need(found == list(range(over.count)), "degree-component")
     for side, name in [(side, name) for side in (0, 1) for name in named[side]]:
@@ -477,8 +365,7 @@ def check_overlay(case, S, vertices, lines, named):
     return points, cells, rim
 
 # ---- section 3.3: all orders
-def cut(case, polygon, names, corners):
-    """Cuts a polygon (barycentric rows on three corners) with a closed tet."""
+def cut(case, polygon, names, corners):  # Cuts a polygon (barycentric rows on three corners) with a closed tet
     for k in range(4):
         p, *face = case.at(names[k:] + names[:k])
         n, h = plane(*face)
@@ -493,35 +380,32 @@ def cut(case, polygon, names, corners):
 def check_all_orders(case, points, cells, rim):
     walls = lambda u, w: [(*case.N[u][s:s + 2], *case.N[w][s:s + 2]) for s in (0, 1)]
     volume = lambda names: det(*case.at(names))  # of a wall: 0 if u or w is pinched
-    for a, b in rim:
+    for a, b in rim:  # 3.3.1
         names, ends = points[a][2] | points[b][2], {*points[a][1], *points[b][1]}
         flat = [x for x in walls(*ends) if not volume(x)] + [[3 * v + 1 for v in ends]]
         need(any(names <= set(x) for x in flat), "all-orders-boundary", f"edge {a} {b}")
-    for f, j, rows in cells:
-        for side in ((), *sides(*case.M.faces[j])):
-            q, corners = case.M.edge.get(side[::-1]) if side else j, case.corners[f]
-            if q is not None and not case.clear(f, q):
-                tets = [x for x in walls(*side) if volume(x)] if side else []
-                pieces = [cut(case, p, x, corners) for x in tets for p in rows] if side else rows
-                for names in [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]:
-                    flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
-                    need(all(flat), "all-orders", f"triangle {f}, prism {q}")
+    for (f, j, rows), side in itertools.product(cells, range(-1, 3)):  # 3.3.2
+        corners, across = case.corners[f], sides(*case.M.faces[j])[side] if side >= 0 else ()
+        q = case.M.edge.get(across[::-1]) if across else j
+        if q is not None and not case.clear(f, q):
+            tets = [x for x in walls(*across) if volume(x)] if across else []
+            pieces = [cut(case, p, x, corners) for x in tets for p in rows] if across else rows
+            for names in [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]:
+                flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
+                need(all(flat), "all-orders", f"triangle {f}, prism {q}")
 
 # ---- section 3.4: the no-lift witness
 class Witness:
     """A no-lift witness for S_<; `stars` remembers which shell edges have an injective star."""
     def __init__(self, case, S, word, facts):
         self.case, self.S, self.stars = case, S, {}
-        if word == "tet":
-            check_tet(case, facts, S[facts[0]])
-        elif word == "roots":
-            self.roots(facts)
+        if word == "tet": check_tet(case, facts, S[facts[0]])
+        elif word == "roots": self.roots(facts)
         else:
             values = [x.euler if word == "topology euler" else x.count for x in (case.T, case.M)]
             need(values == facts, "wrong-value")
             need(values[0] != values[1], "not-refuted")
-    def tet(self, names):
-        """The prism of a tet of S."""
+    def tet(self, names):  # The prism of a tet of S
         prism = self.case.M.find.get(frozenset(n // 3 for n in names))
         need(prism is not None and names in self.S[prism], "unknown-tet")
         return prism
@@ -532,8 +416,7 @@ class Witness:
         values = det3(b, c, d), -det3(a, c, d), det3(a, b, d), -det3(a, b, c)
         inside = min(values) >= 0 and self.case.volume((order,)) > 0
         return {n: v for n, v in zip(order, values) if v} if inside else {}
-    def injective_star(self, edge):
-        """Whether S's tets around an edge are positive and their open wedges disjoint."""
+    def injective_star(self, edge):  # Whether S's tets around an edge are positive and their open wedges disjoint
         if edge not in self.stars:
             positive, wedges, (p, q) = True, [], self.case.at(edge)
             for prism, names in holders(self.case, self.S, edge):
@@ -553,7 +436,7 @@ class Witness:
                 if all(b[k] * x[3] <= x[k] <= b[k + 3] * x[3] for k in range(3)):
                     carriers |= {tuple(sorted(self.coordinates(x, prism, names))) for names in self.S[prism]}
             need(carriers - {()} == {branch[0] for branch in branches}, "wrong-branches", f"root on {f}")
-            for names, legs, reason, _ in branches:
+            for names, legs, reason in branches:
                 ends = [self.leg(f, weights, names, *leg) for leg in legs]
                 need(self.holds(reason, *ends[0], *ends[-1]), "not-refuted", f"root on {f}, {reason}")
                 landed |= {case.M.component[ends[0][3]]} if reason == "lands" else set()
@@ -584,8 +467,7 @@ class Witness:
                 "monodromy": same_point and here.keys() != here2.keys()}[reason]
 
 # ---- sections 3.5 and 3.6: separation and contact
-def separates(case, planes, A, B):
-    """Section 3.5, for planes (n, h) and simplices given by their tags."""
+def separates(case, planes, A, B):  # Section 3.5, for planes (n, h) and simplices given by their tags
     common, pinched = set(A) & set(B), {case.X[n] for n in B if n in case.pins}
     for (x, y, z), h in planes:
         a, b = ([x * p[0] + y * p[1] + z * p[2] - h for p in case.at(s)] for s in (A, B))
@@ -620,8 +502,7 @@ def check_contacts(case, name, facts, certified):
 def check_apart(case, T, boxes, facts, others):
     """Walks all pairs of a mesh triangle f and B in others(f, j): planes are listed just where needed."""
     listed, lines = {fact[:3]: fact[3] for fact in facts}, [[] for _ in T]
-    for f, *pair in listed:
-        lines[f].append(tuple(pair))
+    for f, *pair in listed: lines[f].append(tuple(pair))
     meets, mesh_boxes = [set() for _ in T], list(map(box, case.corners))
     meeting(mesh_boxes, boxes, list(range(len(T))), list(range(len(boxes))), meets)
     for f, A in enumerate(T):
@@ -634,37 +515,32 @@ def check_apart(case, T, boxes, facts, others):
         for pair in sorted(found.union(lines[f])):
             need(pair in found, "superfluous", f"{f} {pair}")
             need((f, *pair) in listed, "missing-separation", f"{f} {pair}")
-            planes = list(listed_planes(case, f, listed[f, *pair]))
-            need(separates(case, planes, A, pair[1]), "not-separated", f"{f} {pair}")
+            need(separates(case, listed_planes(case, f, listed[f, *pair]), A, pair[1]), "not-separated", f"{f} {pair}")
 
 # ---- all claims in order
 def check_claims(case, cert):
-    order, blocks = cert.order or range(len(case.N)), cert.blocks
-    S = case.decomposition(order) if "section" in cert.claims else None
+    S = case.decomposition(cert.order or range(len(case.N)))
     for name, verdict in cert.claims.items():
-        if name == "positivity" and verdict == "certified":
-            check_positive(case, map(case.tets, range(len(case.M.faces))))
+        facts, certified = cert.blocks.get(name), verdict == "certified"
+        if name == "positivity" and certified: check_positive(case, map(case.tets, range(len(case.M.faces))))
         elif name == "positivity":
-            for fact in blocks[name]:
-                check_tet(case, fact, case.tets(fact[0]))
-        elif name == "section" and verdict == "certified":
-            K = check_overlay(case, S, *blocks["overlay"])
-        elif name == "section":
-            Witness(case, S, *blocks["no-section"][1])
-        elif name == "section-all-orders" and verdict == "certified":
-            check_all_orders(case, *K)
-        elif name == "section-all-orders" and "no-order" in blocks:
-            first, witness = blocks["no-order"]
-            Witness(case, case.decomposition(dict.fromkeys([*first, *order])), *witness)
-        elif name in blocks:
-            check_contacts(case, name, blocks[name], verdict == "certified")
-def run(paths):
-    """The exit code and the text to print."""
+            for fact in facts: check_tet(case, fact, case.tets(fact[0]))
+        elif name == "section" and certified: K = check_overlay(case, S, *cert.blocks["overlay"])
+        elif name == "section": Witness(case, S, *cert.blocks["no-section"][1])
+        elif name == "section-all-orders" and certified: check_all_orders(case, *K)
+        elif name == "section-all-orders" and "no-order" in cert.blocks:
+            first, witness = cert.blocks["no-order"]
+            Witness(case, case.decomposition(dict.fromkeys([*first, *(cert.order or range(len(case.N)))])), *witness)
+        elif facts is not None: check_contacts(case, name, facts, certified)
+def run(paths):  # The exit code and the text to print
     try:
         getattr(sys, "set_int_max_str_digits", int)(0)  # the grammar has limits of its own
         need(paths, "usage", "check.py CERT INPUT...", "malformed")
-        cert = Certificate(read_file(paths[0], "usage", "size", "limit"))
-        check_claims(bind(cert, *read_inputs(paths[1:], cert.mesh is not None)), cert)
+        try: data = read_file(paths[0])
+        except OverflowError: raise Stop("limit", "size", "") from None
+        except (OSError, ValueError): raise Stop("malformed", "usage", f"cannot read {paths[0]!a}") from None
+        cert = Certificate(data)
+        check_claims(bind(cert, *sound_inputs(paths[1:], cert.mesh is not None)), cert)
         return 0, "\n".join(["valid"] + [f"{name} {verdict}" for name, verdict in cert.claims.items()])
     except Stop as stop:
         kind, code, why = stop.args

@@ -16,6 +16,7 @@ from fractions import Fraction
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 import check  # noqa: E402
+import inputs  # noqa: E402
 
 M4 = [(4, 4, 4), (4, -4, -4), (-4, 4, -4), (-4, -4, 4)]
 F4 = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -356,12 +357,12 @@ class Checks(unittest.TestCase):
         self.rejected("invalid area-middle", PRISM, (M3, [(0, 2, 1)]), claims, [("overlay", IDENTITY.replace("1 2\nd", "2 1\nd"))])
 
     def test_size(self):
-        limit, good = check.LIMIT, certificate(PRISM, None, ["positivity"], [])
+        limit, good = inputs.LIMIT, certificate(PRISM, None, ["positivity"], [])
         try:
-            for check.LIMIT, code in ((len(good), "limit size"), (10 ** 6, "valid")):
+            for inputs.LIMIT, code in ((len(good), "limit size"), (10 ** 6, "valid")):
                 self.assertEqual(self.answer(good + " " * (code != "valid")), code)
         finally:
-            check.LIMIT = limit
+            inputs.LIMIT = limit
 
     def test_damage_is_never_internal(self):
         """Random damage of accepted certificates ends with a code of the format."""
