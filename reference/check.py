@@ -21,8 +21,7 @@ def need(condition, code, why="", kind="invalid"):
     if not condition: raise Stop(kind, code, why)
 
 # ---- section 2, the file, and "Certificate file" of section 3
-CLAIMS = ["positivity", "section", "bijection", "section-all-orders",
-          "disjoint-mesh", "disjoint-bottom", "disjoint-top", "i2"]
+CLAIMS = "positivity section bijection section-all-orders disjoint-mesh disjoint-bottom disjoint-top i2".split()
 ID, W, NAME = "(?:0|[1-9][0-9]{0,9})", "(?:0|[1-9][0-9]*)", "[bmt](?:0|[1-9][0-9]{0,9})"
 number = lambda text: int(text[:DIGITS + 2])  # numbers that are cut short are over the limit of digits
 numbers = lambda text: tuple(map(number, text.split(" ")))
@@ -64,7 +63,7 @@ class Certificate:
         self.order, = self.line("order list V+", other) if self.ahead("order list") else [None]
         self.order or self.line("order id")
         self.pinched = self.line("pinched I V*", lambda f: ascending(f[1]))
-        for name in filter(present.get, present):
+        for name in present:
             self.line("begin " + name)
             start = self.row
             self.blocks[name] = self.block(name, self.claims.get(name) == "certified")
@@ -72,10 +71,8 @@ class Certificate:
         self.ok(self.line("counts I*") == [counts], "counts")
         self.line("end")
         self.ok(self.at == len(data) - 1)
-    def ok(self, condition, code="syntax", kind="malformed"):
-        need(condition, code, f"line {self.row}", kind)
-    def ahead(self, words):
-        return re.compile(f"\n{words}[ \n]".encode()).match(self.data, self.at)
+    def ok(self, condition, code="syntax", kind="malformed"): need(condition, code, f"line {self.row}", kind)
+    def ahead(self, words): return re.compile(f"\n{words}[ \n]".encode()).match(self.data, self.at)
     def line(self, spec, good=lambda fields: True):
         """The fields of the next line, checked for syntax, digits, range; `at` is the LF before it."""
         pattern, kinds = grammar(spec)
@@ -100,19 +97,19 @@ class Certificate:
         while least > 0 or self.ahead(words):
             fields, least = self.line(spec, lambda found: good(found, fields)), least - 1
             yield fields
-    def many(self, *args):
-        return list(self.each(*args))
-    def plan(self):  # Checks that the claims fit together; for each block, in order, whether it is present
+    def many(self, *args): return list(self.each(*args))
+    def plan(self):  # checks that the claims fit together; the blocks that must be present, in order
         said, refuted = self.claims.get, lambda *names: any(self.claims.get(x) == "refuted" for x in names)
-        parts = {"section-all-orders": ("positivity", "section"), "i2": ("section-all-orders", *CLAIMS[5:7])}
         self.ok(said("section") == said("bijection"), "claims")
+        parts = {"section-all-orders": ("positivity", "section"), "i2": ("section-all-orders", *CLAIMS[5:7])}
         for name in filter(said, parts):
             self.ok(all(map(said, parts[name])) and (refuted(name) or not refuted(*parts[name])), "claims")
-        return {"positivity": refuted("positivity"), "overlay": said("section") == "certified",
-                "no-section": refuted("section"),
-                "no-order": refuted("section-all-orders") and not refuted("positivity", "section"),
-                **{name: said(name) for name in CLAIMS[4:7]},
-                "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
+        present = {"positivity": refuted("positivity"), "overlay": said("section") == "certified",
+                   "no-section": refuted("section"),
+                   "no-order": refuted("section-all-orders") and not refuted("positivity", "section"),
+                   **{name: said(name) for name in CLAIMS[4:7]},
+                   "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
+        return filter(present.get, present)
     def block(self, name, certified):  # The fact lines of a block
         if name == "positivity": return self.many("tet P Q X")
         if name == "overlay": return self.overlay()
@@ -394,77 +391,69 @@ def check_all_orders(case, points, cells, rim):
                 flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
                 need(all(flat), "all-orders", f"triangle {f}, prism {q}")
 
-# ---- section 3.4: the no-lift witness
-class Witness:
-    """A no-lift witness for S_<; `stars` remembers which shell edges have an injective star."""
-    def __init__(self, case, S, word, facts):
-        self.case, self.S, self.stars = case, S, {}
-        if word == "tet": check_tet(case, facts, S[facts[0]])
-        elif word == "roots": self.roots(facts)
-        else:
-            values = [x.euler if word == "topology euler" else x.count for x in (case.T, case.M)]
-            need(values == facts, "wrong-value")
-            need(values[0] != values[1], "not-refuted")
-    def tet(self, names):  # The prism of a tet of S
-        prism = self.case.M.find.get(frozenset(n // 3 for n in names))
-        need(prism is not None and names in self.S[prism], "unknown-tet")
-        return prism
-    def coordinates(self, x, prism, names):
-        """{name: positive coordinate} of x = (x, y, z, w) in a tet; {} outside or in a bad tet."""
-        order = self.S[prism][names][0]
-        a, b, c, d = ([x[3] * p - q for p, q in zip(point, x)] for point in self.case.at(order))
-        values = det3(b, c, d), -det3(a, c, d), det3(a, b, d), -det3(a, b, c)
-        inside = min(values) >= 0 and self.case.volume((order,)) > 0
-        return {n: v for n, v in zip(order, values) if v} if inside else {}
-    def injective_star(self, edge):  # Whether S's tets around an edge are positive and their open wedges disjoint
-        if edge not in self.stars:
-            positive, wedges, (p, q) = True, [], self.case.at(edge)
-            for prism, names in holders(self.case, self.S, edge):
-                r, s = self.case.at(n for n in names if n not in edge)
-                wedges.append((r, s) if det(p, q, r, s) > 0 else (s, r))
-                positive &= self.case.volume(self.S[prism][names]) > 0
-            before = lambda x, y: any(all(det(p, q, *z) <= 0 for z in side)
-                                      for side in ([(x[0], z) for z in y], [(z, x[1]) for z in y]))
-            pairs = itertools.combinations(wedges, 2)
-            self.stars[edge] = positive and all(before(x, y) or before(y, x) for x, y in pairs)
-        return self.stars[edge]
-    def roots(self, facts):
-        case, landed = self.case, set()
-        for f, weights, branches in facts:
-            x, carriers = mix(case.corners[f], weights), set()
-            for prism, b in enumerate(case.boxes):
-                if all(b[k] * x[3] <= x[k] <= b[k + 3] * x[3] for k in range(3)):
-                    carriers |= {tuple(sorted(self.coordinates(x, prism, names))) for names in self.S[prism]}
-            need(carriers - {()} == {branch[0] for branch in branches}, "wrong-branches", f"root on {f}")
-            for names, legs, reason in branches:
-                ends = [self.leg(f, weights, names, *leg) for leg in legs]
-                need(self.holds(reason, *ends[0], *ends[-1]), "not-refuted", f"root on {f}, {reason}")
-                landed |= {case.M.component[ends[0][3]]} if reason == "lands" else set()
-        need(distinct([case.T.component[f] for f, _, _ in facts]), "wrong-branches")
-        need(len(landed) < len(facts), "not-refuted")
-    def leg(self, f, weights, branch, tet, steps):
-        """Walks a leg; its last station as (f, weights in T, coordinates in the tet, prism, tet)."""
-        prism, faces, corners = self.tet(tet), self.case.T.faces, self.case.corners
-        here = self.coordinates(mix(corners[f], weights), prism, tet)  # {} if the tet is not positive
-        need(here and set(branch) <= set(tet), "wrong-step")
-        for g, weights, new in steps:
-            next_prism, x = self.tet(new), mix(corners[g], weights)
-            used = {v for v, w in zip(faces[g], weights) if w}
-            before, after = self.coordinates(x, prism, tet), self.coordinates(x, next_prism, new)
-            good = used <= set(faces[f]) and before and before.keys() == after.keys()
-            star = len(here) > 2 or len(here) == 2 and self.injective_star(tuple(sorted(here)))
-            need(good and star, "wrong-step", f"step on {g}")
-            f, prism, tet, here = g, next_prism, new, after
-        return f, {v: w for v, w in zip(faces[f], weights) if w}, here, prism, tet
-    def holds(self, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):
-        """Whether the reason holds at the last station (of a second leg: mesh2, here2)."""
-        case, (n, h), same_point = self.case, self.case.planes[f], proportional(on_mesh, mesh2)
-        on_rim, on_wall = {*on_mesh} in case.T.rim, {*projected(here)} in case.M.rim
-        flat = len(here) == 4 or len(here) == 3 and all(dot(n, p) == h for p in case.at(here))
-        return {"cap": case.cap(here), "wall": on_wall and not on_rim, "boundary": on_rim and not on_wall,
-                "fold": len(on_mesh) == 3 and case.dot(f, self.S[prism][tet]) <= 0 and flat, "lands": True,
-                "twice": not same_point and proportional(projected(here), projected(here2)),
-                "monodromy": same_point and here.keys() != here2.keys()}[reason]
+# ---- section 3.4: the no-lift witness; a tet here is (names in positive order, V)
+def check_witness(case, S, word, facts):
+    if word == "tet": check_tet(case, facts, S[facts[0]])
+    elif word == "roots": check_roots(case, S, facts)
+    else:
+        values = [x.euler if word == "topology euler" else x.count for x in (case.T, case.M)]
+        need(values == facts, "wrong-value")
+        need(values[0] != values[1], "not-refuted")
+def find_tet(case, S, names):  # (prism, tet of S)
+    prism = case.M.find.get(frozenset(n // 3 for n in names))
+    need(prism is not None and names in S[prism], "unknown-tet")
+    return prism, S[prism][names]
+def coordinates(case, x, tet):  # {name: positive coordinate} of x = (x, y, z, w); {} outside or if tet is not positive
+    a, b, c, d = ([x[3] * p - q for p, q in zip(point, x)] for point in case.at(tet[0]))
+    values = det3(b, c, d), -det3(a, c, d), det3(a, b, d), -det3(a, b, c)
+    inside = min(values) >= 0 and case.volume(tet) > 0
+    return {n: v for n, v in zip(tet[0], values) if v} if inside else {}
+def injective_star(case, S, edge):  # whether S's tets around an edge are positive and their open wedges disjoint
+    wedges, (p, q) = [], case.at(edge)
+    for prism, names in holders(case, S, edge):
+        r, s = case.at(n for n in names if n not in edge)
+        wedges.append((r, s) if det(p, q, r, s) > 0 else (s, r))
+        if case.volume(S[prism][names]) <= 0: return False
+    before = lambda x, y: any(all(det(p, q, *z) <= 0 for z in side)
+                              for side in ([(x[0], z) for z in y], [(z, x[1]) for z in y]))
+    return all(before(x, y) or before(y, x) for x, y in itertools.combinations(wedges, 2))
+def check_roots(case, S, facts):
+    landed = set()
+    for f, weights, branches in facts:
+        x, carriers = mix(case.corners[f], weights), set()
+        for tets, b in zip(S, case.boxes):
+            if all(b[k] * x[3] <= x[k] <= b[k + 3] * x[3] for k in range(3)):
+                carriers |= {tuple(sorted(coordinates(case, x, tet))) for tet in tets.values()}
+        need(carriers - {()} == {branch[0] for branch in branches}, "wrong-branches", f"root on {f}")
+        for names, legs, reason in branches:
+            ends = [last_station(case, S, f, weights, names, *leg) for leg in legs]
+            need(holds(case, reason, *ends[0], *ends[-1]), "not-refuted", f"root on {f}, {reason}")
+            landed |= {case.M.component[ends[0][3]]} if reason == "lands" else set()
+    need(distinct([case.T.component[f] for f, _, _ in facts]), "wrong-branches")
+    need(len(landed) < len(facts), "not-refuted")
+def last_station(case, S, f, weights, branch, start, steps):
+    """The last station of a leg as (f, {mesh vertex: weight}, coordinates in the tet, prism, tet)."""
+    faces, (prism, tet) = case.T.faces, find_tet(case, S, start)
+    here = coordinates(case, mix(case.corners[f], weights), tet)  # {} if the tet is not positive
+    need(here and set(branch) <= set(start), "wrong-step")
+    for g, weights, names in steps:
+        (prism, new), x = find_tet(case, S, names), mix(case.corners[g], weights)
+        used = {v for v, w in zip(faces[g], weights) if w}
+        before, after = coordinates(case, x, tet), coordinates(case, x, new)
+        good = used <= set(faces[f]) and before and before.keys() == after.keys()
+        star = len(here) > 2 or len(here) == 2 and injective_star(case, S, tuple(sorted(here)))
+        need(good and star, "wrong-step", f"step on {g}")
+        f, tet, here = g, new, after
+    return f, {v: w for v, w in zip(faces[f], weights) if w}, here, prism, tet
+def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):
+    """Whether the reason holds at the last station (of a second leg: mesh2, here2)."""
+    (n, h), same_point = case.planes[f], proportional(on_mesh, mesh2)
+    on_rim, on_wall = {*on_mesh} in case.T.rim, {*projected(here)} in case.M.rim
+    flat = len(here) == 4 or len(here) == 3 and all(dot(n, p) == h for p in case.at(here))
+    return {"cap": case.cap(here), "wall": on_wall and not on_rim, "boundary": on_rim and not on_wall,
+            "fold": len(on_mesh) == 3 and case.dot(f, tet) <= 0 and flat, "lands": True,
+            "twice": not same_point and proportional(projected(here), projected(here2)),
+            "monodromy": same_point and here.keys() != here2.keys()}[reason]
 
 # ---- sections 3.5 and 3.6: separation and contact
 def separates(case, planes, A, B):  # Section 3.5, for planes (n, h) and simplices given by their tags
@@ -483,7 +472,7 @@ def listed_planes(case, f, planes):
         n = sub(b, a) if kind == "n" else cross(sub(b, a), sub(c[0], a) if c else case.planes[f][0])
         yield n, dot(n, a)
 def check_contacts(case, name, facts, certified):
-    """Sections 3.5 and 3.6: A is a mesh triangle, B one too, a bottom or top triangle, or a tet (`i2`)."""
+    """A is a mesh triangle, B one too, a bottom or top triangle, or a tet (`i2`, with its dot: {B: dot})."""
     T, i2, k = [tuple(~v for v in f) for f in case.T.faces], name == "i2", 2 * (name == "disjoint-top")
     layer = T if name == "disjoint-mesh" else [tuple(case.N[v][k] for v in f) for f in case.M.faces]
     others = lambda f, j: {t: case.dot(f, x) for t, x in case.tets(j).items()} if i2 else {layer[j]: 0}
@@ -496,42 +485,36 @@ def check_contacts(case, name, facts, certified):
         need(not i2 or case.equals(dots[B], rest[2]), "wrong-value", at)
         a, b = ({t for t, z in zip(*pair) if z} for pair in ((T[f], u), (B, w)))
         need(dots[B] <= 0 and a != b and not (len(b) == 1 and b <= case.pins), "not-refuted", at)
-    if certified:
-        check_apart(case, T, case.boxes if i2 else [box(case.at(B)) for B in layer], facts,
-                    lambda f, j: {} if layer is T and j <= f or i2 and case.clear(f, j) else others(f, j))
-def check_apart(case, T, boxes, facts, others):
-    """Walks all pairs of a mesh triangle f and B in others(f, j): planes are listed just where needed."""
-    listed, lines = {fact[:3]: fact[3] for fact in facts}, [[] for _ in T]
-    for f, *pair in listed: lines[f].append(tuple(pair))
-    meets, mesh_boxes = [set() for _ in T], list(map(box, case.corners))
+    if not certified: return
+    lines, meets, mesh_boxes = [{} for _ in T], [set() for _ in T], list(map(box, case.corners))
+    for f, j, B, planes in facts: lines[f][j, B] = planes
+    boxes = case.boxes if i2 else [box(case.at(B)) for B in layer]
     meeting(mesh_boxes, boxes, list(range(len(T))), list(range(len(boxes))), meets)
     for f, A in enumerate(T):
-        found = set()
-        for j, B, value in ((j, B, value) for j in meets[f] for B, value in others(f, j).items()):
-            if value <= 0 and meet(mesh_boxes[f], box(case.at(B))):
-                faces = (plane(*case.at(three)) for three in itertools.combinations(B, 3))
-                if not any(separates(case, [h], A, B) for h in itertools.chain([case.planes[f]], faces)):
-                    found.add((j, B))
-        for pair in sorted(found.union(lines[f])):
-            need(pair in found, "superfluous", f"{f} {pair}")
-            need((f, *pair) in listed, "missing-separation", f"{f} {pair}")
-            need(separates(case, listed_planes(case, f, listed[f, *pair]), A, pair[1]), "not-separated", f"{f} {pair}")
+        wanted = set()  # what the plane of f and those of B, each alone, do not separate
+        for j in [j for j in meets[f] if not (layer is T and j <= f or i2 and case.clear(f, j))]:
+            for B in [B for B, value in others(f, j).items() if value <= 0 and meet(mesh_boxes[f], box(case.at(B)))]:
+                planes = itertools.chain([case.planes[f]], (plane(*case.at(x)) for x in itertools.combinations(B, 3)))
+                wanted |= set() if any(separates(case, [h], A, B) for h in planes) else {(j, B)}
+        for j, B in sorted({*wanted, *lines[f]}):
+            need((j, B) in wanted, "superfluous", f"{f} {j}")
+            need((j, B) in lines[f], "missing-separation", f"{f} {j}")
+            need(separates(case, listed_planes(case, f, lines[f][j, B]), A, B), "not-separated", f"{f} {j}")
 
 # ---- all claims in order
 def check_claims(case, cert):
-    S = case.decomposition(cert.order or range(len(case.N)))
-    for name, verdict in cert.claims.items():
-        facts, certified = cert.blocks.get(name), verdict == "certified"
-        if name == "positivity" and certified: check_positive(case, map(case.tets, range(len(case.M.faces))))
-        elif name == "positivity":
-            for fact in facts: check_tet(case, fact, case.tets(fact[0]))
-        elif name == "section" and certified: K = check_overlay(case, S, *cert.blocks["overlay"])
-        elif name == "section": Witness(case, S, *cert.blocks["no-section"][1])
-        elif name == "section-all-orders" and certified: check_all_orders(case, *K)
-        elif name == "section-all-orders" and "no-order" in cert.blocks:
-            first, witness = cert.blocks["no-order"]
-            Witness(case, case.decomposition(dict.fromkeys([*first, *(cert.order or range(len(case.N)))])), *witness)
-        elif facts is not None: check_contacts(case, name, facts, certified)
+    order, blocks = cert.order or range(len(case.N)), cert.blocks
+    S, certified = case.decomposition(order), lambda name: cert.claims.get(name) == "certified"
+    if certified("positivity"): check_positive(case, map(case.tets, range(len(case.M.faces))))
+    for fact in blocks.get("positivity", ()): check_tet(case, fact, case.tets(fact[0]))
+    if "overlay" in blocks: K = check_overlay(case, S, *blocks["overlay"])
+    if "no-section" in blocks: check_witness(case, S, *blocks["no-section"][1])
+    if certified("section-all-orders"): check_all_orders(case, *K)
+    if "no-order" in blocks:
+        first, witness = blocks["no-order"]
+        check_witness(case, case.decomposition(dict.fromkeys([*first, *order])), *witness)
+    for name in CLAIMS[4:]:
+        if name in blocks: check_contacts(case, name, blocks[name], certified(name))
 def run(paths):  # The exit code and the text to print
     try:
         getattr(sys, "set_int_max_str_digits", int)(0)  # the grammar has limits of its own

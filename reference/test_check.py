@@ -440,7 +440,6 @@ class Checks(unittest.TestCase):
         for _ in range(400):
             ring = [(draw.randint(-3, 3), draw.randint(-3, 3)) for _ in range(6)]
             wedges = [(ring[k], ring[k + 1]) for k in (0, 2, 4) if turn(ring[k], ring[k + 1])]
-            fake = check.Witness.__new__(check.Witness)
             points = {0: (0, 0, 0), 1: (0, 0, 1)}
             tets = {}
             for k, (r, s) in enumerate(wedges):
@@ -448,15 +447,14 @@ class Checks(unittest.TestCase):
                 points[names[2]], points[names[3]] = r + (5,), s + (-7,)
                 order = names if turn(r, s) > 0 else names[:2] + names[:1:-1]
                 tets[names] = (order, 0)
-            fake.case = type("C", (), {"at": lambda self, tags: [points[t] for t in tags], "M": type("M", (), {"at": {0: [0]}}),
+            case = type("C", (), {"at": lambda self, tags: [points[t] for t in tags], "M": type("M", (), {"at": {0: [0]}}),
                                        "volume": lambda self, t: check.det(*(points[n] for n in t[0]))})()
-            fake.S, fake.stars = [tets], {}
             rays = [r for w in wedges for r in w]
             samples = [(a + c, b + d) for a, b in rays for c, d in rays] + [(3 * a + c, 3 * b + d) for a, b in rays for c, d in rays]
             samples = [(9 * a + c, 9 * b + d) for a, b in samples for c, d in rays]
             inside = lambda x, w: all(turn(p, q) * turn(*w) > 0 for p, q in ((w[0], x), (x, w[1])))
             overlap = any(sum(inside(x, w) for w in wedges) > 1 for x in samples)
-            self.assertEqual(fake.injective_star((0, 1)), not overlap, wedges)
+            self.assertEqual(check.injective_star(case, [tets], (0, 1)), not overlap, wedges)
             seen.add(overlap)
         self.assertEqual(len(seen), 2)
 
