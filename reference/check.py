@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Second, independent checker of homeo certificates: python3 check.py CERT INPUT...
 
-It follows certs/FORMAT.md (version 1), whose sections are cited below, and needs only the standard library. Every
-decision is made on Python integers: all coordinates are multiplied by one common power of two. A *tag* is an integer
-that names a point: 3 * vertex + layer (b 0, m 1, t 2) for a shell name, ~v for mesh vertex v. The readers of the input
-files stand in inputs.py. Exit codes: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
+It follows certs/FORMAT.md, version 1, whose sections are cited, and needs only the standard library. All coordinates
+are multiplied by one common power of two: every decision is made on Python integers. A *tag* is an integer that names
+a point: 3 * vertex + layer (b 0, m 1, t 2) for a shell name, ~v for mesh vertex v. inputs.py reads the input files.
 """
 import functools, hashlib, itertools, math, re, struct, sys
 from inputs import WRONG, read_file, read_inputs
@@ -16,7 +15,6 @@ distinct = lambda items: len(set(items)) == len(items)
 
 class Stop(Exception):
     """The first failure: kind (`invalid`, `malformed`, `limit`), code, explanation."""
-
 def need(condition, code, why="", kind="invalid"):
     if not condition: raise Stop(kind, code, why)
 
@@ -37,7 +35,6 @@ FIELDS = {  # kind: regular expression and value of a field
     "S": (f"{ID}(?:,{ID}){{0,2}}", lambda text: tuple(map(int, text.split(",")))),  # TIDS
     "N": (f"{NAME}(?:,{NAME})*", tags), "Q": (f"{NAME}(?:,{NAME}){{3}}", tags),  # NAMES, TET, and PLANE:
     "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID), lambda text: (text[0], tags(text[2:])))}
-
 @functools.lru_cache(None)
 def grammar(spec):  # A line's expression, a group for each field, and its fields (kind, how often if not once)
     words = [(word[0], word[1:]) if word[0] in FIELDS else ("", word) for word in spec.split(" ")]
@@ -60,8 +57,7 @@ class Certificate:
         self.mesh = None if list(self.claims) == ["positivity"] else self.line("mesh H I I")
         self.bound = dict(zip("VPGT", self.shell[1:] + (self.mesh or [0, 0, 0])[1:]))
         other = lambda f: len(f[0]) == self.shell[1] and distinct(f[0]) and f[0] != list(range(len(f[0])))
-        self.order, = self.line("order list V+", other) if self.ahead("order list") else [None]
-        self.order or self.line("order id")
+        self.order = self.line("order list V+", other)[0] if self.ahead("order list") else self.line("order id")
         self.pinched = self.line("pinched I V*", lambda f: ascending(f[1]))
         for name in present:
             self.line("begin " + name)
@@ -110,7 +106,7 @@ class Certificate:
                    **{name: said(name) for name in CLAIMS[4:7]},
                    "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
         return filter(present.get, present)
-    def block(self, name, certified):  # The fact lines of a block
+    def block(self, name, certified):  # the fact lines of a block
         if name == "positivity": return self.many("tet P Q X")
         if name == "overlay": return self.overlay()
         if name in ("no-section", "no-order"):
@@ -158,37 +154,31 @@ fan = lambda c: [(c[0], c[i], c[i + 1]) for i in range(1, len(c) - 1)]
 box = lambda points: (*map(min, zip(*points)), *map(max, zip(*points)))
 meet = lambda a, b: (a[0] <= b[3] and b[0] <= a[3] and a[1] <= b[4] and b[1] <= a[4]
                      and a[2] <= b[5] and b[2] <= a[5])
-
 def plane(a, b, c):  # (n, h): n . x - h is det[b-a, c-a, x-a]
     n = cross(sub(b, a), sub(c, a))
     return n, dot(n, a)
-def mix(points, weights):  # The weighted point as (x, y, z, w)
+def mix(points, weights):  # the weighted point as (x, y, z, w)
     return tuple(sum(w * p[k] for w, p in zip(weights, points)) for k in range(3)) + (sum(weights),)
-def projected(weights):  # For {name: weight}, the sums over the names of each vertex
+def projected(weights):  # for {name: weight}, the sums over the names of each vertex
     return {v: sum(x for n, x in weights.items() if n // 3 == v) for v in {n // 3 for n in weights}}
-def proportional(a, b):  # Whether two points, given as {vertex: positive weight}, are equal
+def proportional(a, b):  # whether two points, given as {vertex: positive weight}, are equal
     return a.keys() == b.keys() and all(a[k] * sum(b.values()) == b[k] * sum(a.values()) for k in a)
-def meeting(A, B, left, right, found):
-    """Adds to found[i] all j of which the closed boxes A[i], B[j] meet: halves `right`, prunes `left`."""
+def meeting(A, B, left, right):
+    """All (i, j) of left and right of which the closed boxes A[i], B[j] meet: halves `right`, prunes `left`."""
+    if len(right) <= 4: return [(i, j) for i in left for j in right if meet(A[i], B[j])]
     hull = box([B[j][:3] for j in right] + [B[j][3:] for j in right])
-    left, half = [i for i in left if meet(A[i], hull)], len(right) // 2
-    if len(right) <= 4:
-        for i in left: found[i].update(j for j in right if meet(A[i], B[j]))
-    elif left:
-        axis = max(range(3), key=lambda k: hull[k + 3] - hull[k])
-        right = sorted(right, key=lambda j: B[j][axis] + B[j][axis + 3])
-        for some in (right[:half], right[half:]): meeting(A, B, left, some, found)
-def parts(items, near):
-    """Numbers the items by their part: what is connected through near(item), numbered by first items."""
-    number, count = {}, 0
+    left, axis = [i for i in left if meet(A[i], hull)], max(range(3), key=lambda k: hull[k + 3] - hull[k])
+    right, half = sorted(right, key=lambda j: B[j][axis] + B[j][axis + 3]), len(right) // 2
+    return [pair for some in (right[:half], right[half:]) if left for pair in meeting(A, B, left, some)]
+def parts(items, near):  # for each item the first one that it is connected with through near(item)
+    first = {}
     for start in items:
-        todo = [start] if start not in number else []
-        count += len(todo)
+        todo = [start]
         for item in todo:
-            if item not in number:
-                number[item] = count - 1
+            if item not in first:
+                first[item] = start
                 todo += near(item)
-    return number
+    return first
 
 class Complex:
     """Oriented triangles, by vertex (`at`), directed edge, vertex set; boundary (`rim`), components."""
@@ -210,13 +200,12 @@ class Complex:
         self.manifold = (len(faces) > 0 and all(map(distinct, faces)) and len(self.find) == len(faces)
                          and len(self.edge) == 3 * len(faces) and len(set(fans.values())) == len(self.at))
 
+straight = lambda tet: det(*((c == 1, c == 2, h) for c, h in tet)) > 0  # whether positive in the straight unit prism
+turned = lambda tet: tet if straight(tet) else (tet[0], tet[1], tet[3], tet[2])
 ORDERS = {}  # order of a prism's corners: its three tets, as (four (corner, 0 lo | 1 hi), pillar's corner)
 for u, v, w in itertools.permutations(range(3)):
-    a, b, c, d, e, f = itertools.product((u, v, w), (0, 1))
-    tets = (a, c, e, f), (a, c, d, f), (a, b, d, f)
-    positive = [det(*((c == 1, c == 2, h) for c, h in tet)) > 0 for tet in tets]  # in the straight unit prism
-    ORDERS[u, v, w] = [((p, q, r, s) if good else (p, q, s, r), pillar)
-                       for (p, q, r, s), good, pillar in zip(tets, positive, (w, v, u))]
+    a, b, c, d, e, f = itertools.product((u, v, w), (0, 1))  # lo, hi of u, v, w
+    ORDERS[u, v, w] = [(turned((a, c, e, f)), w), (turned((a, c, d, f)), v), (turned((a, b, d, f)), u)]
 ALL12 = list({frozenset(t): (t, pillar) for three in ORDERS.values() for t, pillar in three}.values())
 
 class Case:
@@ -225,10 +214,9 @@ class Case:
         self.unit = max(x.as_integer_ratio()[1] for p in chain([*layers, points]) for x in p)
         scale = lambda p: tuple(n * (self.unit // d) for n, d in map(float.as_integer_ratio, p))
         self.X = [scale(p) for triple in zip(*layers) for p in triple] + [scale(p) for p in points[::-1]]
-        self.pinned = [v for v, (b, m, t) in enumerate(zip(*layers)) if b == m == t]
-        self.pins = {3 * v + 1 for v in self.pinned}
-        self.N = [(3 * v + 1,) * 3 if 3 * v + 1 in self.pins else (3 * v, 3 * v + 1, 3 * v + 2)
-                  for v in range(len(layers[0]))]
+        self.N = [(3 * v + 1,) * 3 if b == m == t else (3 * v, 3 * v + 1, 3 * v + 2)
+                  for v, (b, m, t) in enumerate(zip(*layers))]
+        self.pins = {b for b, m, t in self.N if b == t}
         self.M, self.T = Complex(prisms), Complex(triangles)
         self.corners = [self.at(~v for v in f) for f in triangles]
         self.planes = [plane(*c) for c in self.corners]
@@ -246,17 +234,14 @@ class Case:
         return found
     def decomposition(self, order):  # S_< by prism, for all vertices, smallest first
         rank = {v: i for i, v in enumerate(order)}
-        chosen = lambda f: ORDERS[tuple(sorted(range(3), key=lambda c: rank[f[c]]))]
-        return [self.tets(j, chosen(f)) for j, f in enumerate(self.M.faces)]
-    def clear(self, f, prism):  # Whether f has a positive dot with both halves of all unpinched pillars of the prism
-        heights = [[dot(self.planes[f][0], p) for p in self.at(self.N[v])] for v in self.M.faces[prism]
-                   if 3 * v + 1 not in self.pins]
-        return all(b < m < t for b, m, t in heights)
-    def equals(self, scaled, value):
-        """Whether an integer that stands for scaled / unit^3 is the file's value odd * 2^exponent."""
+        local = lambda f: tuple(sorted(range(3), key=lambda c: rank[f[c]]))
+        return [self.tets(j, ORDERS[local(f)]) for j, f in enumerate(self.M.faces)]
+    def clear(self, f, prism):  # whether f has a positive dot with both halves of all unpinched pillars of the prism
+        pillars = [self.at(self.N[v]) for v in self.M.faces[prism] if 3 * v + 1 not in self.pins]
+        return all(b < m < t for b, m, t in ([dot(self.planes[f][0], p) for p in pillar] for pillar in pillars))
+    def equals(self, scaled, value):  # whether scaled / unit^3 is the file's value odd * 2^exponent
         return scaled << max(-value[1], 0) == value[0] * self.unit ** 3 << max(value[1], 0)
-    def cap(self, names):
-        """Section 3.2.2: all names are `t` or pinched, or all `b` or pinched, but not one pinched name."""
+    def cap(self, names):  # 3.2.2: all names are `t` or pinched, or all `b` or pinched, but not one pinched name
         free = {n % 3 for n in names if n not in self.pins}
         return free in ({0}, {2}) or not free and len(names) > 1
 
@@ -265,25 +250,23 @@ def sha(layers, faces):
     pack = lambda code, rows: struct.pack(f"<{3 * len(rows)}{code}", *chain(rows))
     return hashlib.sha256(b"".join(pack("d", layer) for layer in layers) + pack("I", faces)).hexdigest()
 def sound_inputs(paths, mesh_needed):
-    """(the three layers' points, prisms, mesh points, triangles), finite and without an index out of range."""
-    try: layers, mesh = read_inputs(paths, mesh_needed)
+    """Points and faces of the bottom, middle and top layer and, if read, the mesh."""
+    try: points, faces = zip(*read_inputs(paths, mesh_needed))
     except WRONG as error: raise Stop("malformed", "input", ascii(error)[:200]) from None
-    sound = lambda points, faces: (points and all(map(math.isfinite, chain(points)))
-                                   and all(0 <= v < len(points) for v in chain(faces)))
-    need(all(sound(*one) for one in layers + [mesh] * bool(mesh)), "input", "a coordinate or an index", "malformed")
-    points, (prisms, *others) = zip(*layers)
-    same = [prisms] * 2 == others and len(set(map(len, points))) == 1
-    need(same, "input", "connectivities that differ", "malformed")
-    return points, prisms, *(mesh or ([], []))
-def bind(cert, layers, prisms, points, triangles):
+    good = all(p and all(map(math.isfinite, chain(p))) and all(0 <= v < len(p) for v in chain(f))
+               for p, f in zip(points, faces)) and len(set(map(len, points[:3]))) == 1
+    need(good and faces[0] == faces[1] == faces[2], "input", "coordinate, index or connectivity", "malformed")
+    return points, faces
+def bind(cert, points, faces):
     """The inputs are those that the certificate names, and fit to be judged."""
+    layers, prisms, mesh = points[:3], faces[0], [points[3], faces[3]] if cert.mesh else [[], []]
     need(cert.shell == [sha(layers, prisms), len(layers[0]), len(prisms)], "hash", "shell")
-    need(cert.mesh in (None, [sha([points], triangles), len(points), len(triangles)]), "hash", "mesh")
-    case = Case(layers, prisms, points, triangles if cert.mesh else [])
+    need(cert.mesh in (None, [sha(mesh[:1], mesh[1]), *map(len, mesh)]), "hash", "mesh")
+    case = Case(layers, prisms, *mesh)
     pins = [sum(3 * v + 1 in case.pins for v in f) for f in prisms]
     need(case.M.manifold and max(pins) < 3, "shell-conditions")
     need(not cert.mesh or case.T.manifold and all(any(n) for n, _ in case.planes), "mesh-conditions")
-    need(cert.pinched == [8 * sum(pins), case.pinned], "pinched")
+    need(cert.pinched == [8 * sum(pins), sorted(n // 3 for n in case.pins)], "pinched")
     return case
 
 # ---- section 3.1: positivity
@@ -309,7 +292,7 @@ def null_vector(columns):
         pivot, row = next((k for k in range(4) if row[k]), None), [x // common for x in row]
         (found if pivot is None else basis).append((pivot, row))
     return found[0][1][4:] if len(found) == 1 else None
-def holders(case, S, names):  # The tets of S that hold all the names, as (prism, names)
+def holders(case, S, names):  # the tets of S that hold all the names, as (prism, names)
     return [(j, t) for j in case.M.at.get(names[0] // 3, ()) for t in S[j] if set(names) <= set(t)]
 def overlay_vertex(case, S, ids, names):
     """3.2.2: the point of a `v` line as (weights on mesh vertices, weights on shell vertices, names)."""
@@ -335,10 +318,9 @@ def check_overlay(case, S, vertices, lines, named):
         rows = [fan([[points[i][s].get(v, 0) for v in face] for i in c])
                 for s, face in enumerate((case.T.faces[f], case.M.faces[j]))]
         for i, (a, b) in enumerate(zip(*rows)):
-            need(det3(*a) > 0, "area-mesh", at)
-            need(det3(*b) > 0, "area-middle", at)
-            images.setdefault((0, f), {})[k, i] = a
-            images.setdefault((1, j), {})[k, i] = b
+            for side, image in enumerate((a, b)):
+                need(det3(*image) > 0, ("area-mesh", "area-middle")[side], at)
+                images.setdefault((side, (f, j)[side]), {})[k, i] = image
         cells.append((f, j, rows[0]))
     for a, b in (edge for c in lines for triangle in fan(c) for edge in sides(*triangle)):  # 3.2.4
         need((a, b) not in edges, "edge-twice", f"{a} {b}")
@@ -351,7 +333,7 @@ def check_overlay(case, S, vertices, lines, named):
     need(len(set(chain(lines))) == len(points), "isolated")  # 3.2.5
     for side, over in enumerate((case.T, case.M)):  # 3.2.6
         found = [over.component[cells[cell][side]] for cell, _ in named[side]]
-        need(found == list(range(over.count)), "degree-component")
+        need(found == sorted(set(over.component.values())), "degree-component")
     for side, name in [(side, name) for side in (0, 1) for name in named[side]]:
         over = images[side, cells[name[0]][side]]
         a, b, c = map(sum, over[name])
@@ -486,10 +468,10 @@ def check_contacts(case, name, facts, certified):
         a, b = ({t for t, z in zip(*pair) if z} for pair in ((T[f], u), (B, w)))
         need(dots[B] <= 0 and a != b and not (len(b) == 1 and b <= case.pins), "not-refuted", at)
     if not certified: return
-    lines, meets, mesh_boxes = [{} for _ in T], [set() for _ in T], list(map(box, case.corners))
+    lines, meets, mesh_boxes = [{} for _ in T], [[] for _ in T], list(map(box, case.corners))
     for f, j, B, planes in facts: lines[f][j, B] = planes
     boxes = case.boxes if i2 else [box(case.at(B)) for B in layer]
-    meeting(mesh_boxes, boxes, list(range(len(T))), list(range(len(boxes))), meets)
+    for f, j in meeting(mesh_boxes, boxes, range(len(T)), range(len(boxes))): meets[f].append(j)
     for f, A in enumerate(T):
         wanted = set()  # what the plane of f and those of B, each alone, do not separate
         for j in [j for j in meets[f] if not (layer is T and j <= f or i2 and case.clear(f, j))]:
@@ -515,13 +497,11 @@ def check_claims(case, cert):
         check_witness(case, case.decomposition(dict.fromkeys([*first, *order])), *witness)
     for name in CLAIMS[4:]:
         if name in blocks: check_contacts(case, name, blocks[name], certified(name))
-def run(paths):  # The exit code and the text to print
+def run(paths):  # the exit code and the text to print
     try:
-        getattr(sys, "set_int_max_str_digits", int)(0)  # the grammar has limits of its own
-        need(paths, "usage", "check.py CERT INPUT...", "malformed")
         try: data = read_file(paths[0])
         except OverflowError: raise Stop("limit", "size", "") from None
-        except (OSError, ValueError): raise Stop("malformed", "usage", f"cannot read {paths[0]!a}") from None
+        except (IndexError, OSError, ValueError): raise Stop("malformed", "usage", "check.py CERT INPUT...") from None
         cert = Certificate(data)
         check_claims(bind(cert, *sound_inputs(paths[1:], cert.mesh is not None)), cert)
         return 0, "\n".join(["valid"] + [f"{name} {verdict}" for name, verdict in cert.claims.items()])

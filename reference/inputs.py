@@ -90,11 +90,10 @@ def read_hdf5(data):
 
 # ---- "Inputs" of section 3
 def read_inputs(paths, mesh_needed):
-    """([bottom, middle, top], mesh or None), each as (points, triangles), from one to four files."""
+    """Bottom, middle and top layer and, if given or needed, the mesh, each as (points, triangles)."""
     fit(1 <= len(paths) <= 4, "one to four input files")
     files = list(map(read_file, paths))
     shell = read_hdf5(files[0]) if len(files) <= 2 else None
     layers = [shell(x, b"mF") for x in (b"mbase", b"mV", b"mtop")] if shell else list(map(read_mesh, files[:3]))
-    mesh = read_mesh(files[-1]) if len(files) in (2, 4) else shell(b"ref.V", b"ref.F") if mesh_needed and shell else None
-    fit(mesh or not mesh_needed, "no mesh")
-    return layers, mesh
+    if len(files) in (2, 4): return [*layers, read_mesh(files[-1])]
+    return [*layers, shell(b"ref.V", b"ref.F")] if mesh_needed else layers  # TypeError if there is no mesh

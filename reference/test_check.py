@@ -193,6 +193,16 @@ class Checks(unittest.TestCase):
         self.assertEqual(more(IDENTITY.replace("v 1 m1", "v 1 b1,m1")), "invalid outside-carrier")
         self.assertEqual(more(IDENTITY + "\nd middle 0 0"), "invalid degree-component")
 
+    def test_overlay_edge_in_a_cap(self):
+        """No edge between two pinched vertices; one pinched vertex is the control."""
+        mesh = (PRISM[0][1], PRISM[1])
+        pinch = lambda pins: ([[M3[v] if v in pins else p for v, p in enumerate(layer)] for layer in PRISM[0]], PRISM[1])
+        for pins, code in (((0,), "valid"), ((2,), "valid"), ((0, 1), "invalid cap"), ((1, 2), "invalid cap"), ((0, 2), "invalid cap")):
+            self.rejected(code, pinch(pins), mesh, ["section", "bijection"], [("overlay", IDENTITY)])
+        twice = IDENTITY.replace("c 0 1 2", "c 0 1 2\nc 1 2 0")  # an edge that is in a cap before any occurs twice
+        self.rejected("invalid cap", pinch((0, 1)), mesh, ["section", "bijection"], [("overlay", twice)])
+        self.rejected("invalid edge-twice", pinch((0,)), mesh, ["section", "bijection"], [("overlay", twice)])
+
     def test_overlay_with_inner_edges(self):
         """A mesh of four triangles around the middle of the edge that two prisms share."""
         mesh = (M2 + [(2, 2, 0)], [(0, 1, 4), (1, 3, 4), (3, 2, 4), (2, 0, 4)])
@@ -416,8 +426,7 @@ class Checks(unittest.TestCase):
         for _ in range(300):
             low = [draw.randint(0, 20) for _ in range(3)]
             boxes.append(tuple(low) + tuple(x + draw.randint(0, 4) for x in low))
-        found = [set() for _ in boxes]
-        check.meeting(boxes, boxes, list(range(300)), list(range(300)), found)
+        found = [[j for i, j in check.meeting(boxes, boxes, range(300), range(300)) if i == k] for k in range(300)]
         for query, met in zip(boxes, found):
             slow = [i for i, b in enumerate(boxes) if all(b[k] <= query[k + 3] and query[k] <= b[k + 3] for k in range(3))]
             self.assertEqual(sorted(met), slow)
