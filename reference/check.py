@@ -13,8 +13,7 @@ chain = itertools.chain.from_iterable
 ascending = lambda items: all(a < b for a, b in zip(items, items[1:]))
 distinct = lambda items: len(set(items)) == len(items)
 
-class Stop(Exception):
-    """The first failure: kind (`invalid`, `malformed`, `limit`), code, explanation."""
+class Stop(Exception): pass  # the first failure: kind (`invalid`, `malformed`, `limit`), code, explanation
 def need(condition, code, why="", kind="invalid"):
     if not condition: raise Stop(kind, code, why)
 
@@ -42,14 +41,13 @@ def grammar(spec):  # A line's expression, a group for each field, and its field
     parts = [field(FIELDS[kind][0], rest) if kind else " " + rest for kind, rest in words]
     return re.compile(("\n" + "".join(parts)[1:] + "(?=\n)").encode()), [word for word in words if word[0]]
 
-class Certificate:
-    """Reads a certificate: `claims`, `shell`, `mesh`, `order`, `pinched`, `blocks` are what it says."""
+class Certificate:  # what it says: `claims`, `shell`, `mesh`, `order`, `pinched`, `blocks`
     def __init__(self, data):
         self.data, self.at, self.row, self.bound, self.blocks, counts = data, 19, 1, {}, {}, []
         self.ok(not re.search(rb"[^\n\x20-\x7e]", data), "bytes")
         self.ok(data == b"end\n" or data.endswith(b"\nend\n"), "truncated")
         self.ok(data.startswith(b"homeo-certificate 1\n"), "magic")
-        claims = self.many("claim K R")
+        claims = list(self.each("claim K R"))
         self.ok(ascending([CLAIMS.index(name) for name, _ in claims]))
         self.claims = dict(claims)
         present = self.plan()
@@ -69,8 +67,7 @@ class Certificate:
         self.ok(self.at == len(data) - 1)
     def ok(self, condition, code="syntax", kind="malformed"): need(condition, code, f"line {self.row}", kind)
     def ahead(self, words): return re.compile(f"\n{words}[ \n]".encode()).match(self.data, self.at)
-    def line(self, spec, good=lambda fields: True):
-        """The fields of the next line, checked for syntax, digits, range; `at` is the LF before it."""
+    def line(self, spec, good=lambda fields: True):  # the fields of the next line; `at` is the LF before it
         pattern, kinds = grammar(spec)
         match, self.row, fields, items = pattern.match(self.data, self.at), self.row + 1, [], []
         self.ok(match)
@@ -87,13 +84,11 @@ class Certificate:
         points = value if kind in "NQ" else value[1] if kind == "L" else [~v for v in value] if kind == "S" else ()
         return (all(-self.bound["G"] <= p < 3 * self.bound["V"] for p in points)
                 and (kind not in self.bound or value < self.bound[kind]))
-    def each(self, spec, least=1, good=lambda fields, previous: True):
-        """`least` or more lines that start with the first words of spec."""
+    def each(self, spec, least=1, good=lambda fields, previous: True):  # lines that start with the first words of spec
         fields, words = [], re.split(" (?=[A-Z])", spec)[0]
         while least > 0 or self.ahead(words):
             fields, least = self.line(spec, lambda found: good(found, fields)), least - 1
             yield fields
-    def many(self, *args): return list(self.each(*args))
     def plan(self):  # checks that the claims fit together; the blocks that must be present, in order
         said, refuted = self.claims.get, lambda *names: any(self.claims.get(x) == "refuted" for x in names)
         self.ok(said("section") == said("bijection"), "claims")
@@ -107,7 +102,7 @@ class Certificate:
                    "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
         return filter(present.get, present)
     def block(self, name, certified):  # the fact lines of a block
-        if name == "positivity": return self.many("tet P Q X")
+        if name == "positivity": return list(self.each("tet P Q X"))
         if name == "overlay": return self.overlay()
         if name in ("no-section", "no-order"):
             first = self.line("first V+", lambda f: distinct(f[0]))[0] if name == "no-order" else []
@@ -115,8 +110,9 @@ class Certificate:
         j, good = ("T", lambda f: f[0] < f[1]) if name == "disjoint-mesh" else ("P", lambda f: True)
         if certified:
             spec, key = ("contact-sep T P Q L+", 3) if name == "i2" else (f"sep T {j} L+", 2)
-            return self.many(spec, 0, lambda f, previous: good(f) and previous[:key] < f[:key])
-        return self.many("contact T P Q A B X" if name == "i2" else f"cross T {j} A A", 1, lambda f, _: good(f))
+            return list(self.each(spec, 0, lambda f, previous: good(f) and previous[:key] < f[:key]))
+        spec = "contact T P Q A B X" if name == "i2" else f"cross T {j} A A"
+        return list(self.each(spec, 1, lambda f, _: good(f)))
     def overlay(self):
         vertices, named = {}, ([], [])
         for ids, names in self.each("v S N"):
@@ -135,7 +131,7 @@ class Certificate:
             if self.ahead(words): return words, self.line(f"{words} {fields}")
         return "roots", [(*root, list(self.branches())) for root in self.each("root T A")]
     def branches(self):
-        leg = lambda: (*self.line("start Q"), self.many("step T A Q", 0))
+        leg = lambda: (*self.line("start Q"), list(self.each("step T A Q", 0)))
         for names, in self.each("branch N", 0, lambda f, previous: previous < f):
             legs = [leg()] + ([leg()] if self.ahead("start") else [])
             reasons = ["twice", "monodromy"] if len(legs) > 1 else ["cap", "wall", "boundary", "fold", "lands"]
@@ -180,8 +176,7 @@ def parts(items, near):  # for each item the first one that it is connected with
                 todo += near(item)
     return first
 
-class Complex:
-    """Oriented triangles, by vertex (`at`), directed edge, vertex set; boundary (`rim`), components."""
+class Complex:  # oriented triangles by vertex (`at`), directed edge, vertex set (`find`); boundary (`rim`), components
     def __init__(self, faces):
         self.faces, self.at, self.edge = faces, {}, {}
         for i, f in enumerate(faces):
@@ -208,8 +203,7 @@ for u, v, w in itertools.permutations(range(3)):
     ORDERS[u, v, w] = [(turned((a, c, e, f)), w), (turned((a, c, d, f)), v), (turned((a, b, d, f)), u)]
 ALL12 = list({frozenset(t): (t, pillar) for three in ORDERS.values() for t, pillar in three}.values())
 
-class Case:
-    """Shell and mesh in integers (times `unit`): points `X` by tag, names `N` by vertex; `M` and `T`."""
+class Case:  # shell and mesh in integers (times `unit`): points `X` by tag, names `N` by vertex; complexes `M`, `T`
     def __init__(self, layers, prisms, points, triangles):
         self.unit = max(x.as_integer_ratio()[1] for p in chain([*layers, points]) for x in p)
         scale = lambda p: tuple(n * (self.unit // d) for n, d in map(float.as_integer_ratio, p))
@@ -249,16 +243,14 @@ class Case:
 def sha(layers, faces):
     pack = lambda code, rows: struct.pack(f"<{3 * len(rows)}{code}", *chain(rows))
     return hashlib.sha256(b"".join(pack("d", layer) for layer in layers) + pack("I", faces)).hexdigest()
-def sound_inputs(paths, mesh_needed):
-    """Points and faces of the bottom, middle and top layer and, if read, the mesh."""
+def sound_inputs(paths, mesh_needed):  # points and faces of bottom, middle and top layer and, if read, the mesh
     try: points, faces = zip(*read_inputs(paths, mesh_needed))
     except WRONG as error: raise Stop("malformed", "input", ascii(error)[:200]) from None
     good = all(p and all(map(math.isfinite, chain(p))) and all(0 <= v < len(p) for v in chain(f))
                for p, f in zip(points, faces)) and len(set(map(len, points[:3]))) == 1
     need(good and faces[0] == faces[1] == faces[2], "input", "coordinate, index or connectivity", "malformed")
     return points, faces
-def bind(cert, points, faces):
-    """The inputs are those that the certificate names, and fit to be judged."""
+def bind(cert, points, faces):  # the inputs are those that the certificate names, and fit to be judged
     layers, prisms, mesh = points[:3], faces[0], [points[3], faces[3]] if cert.mesh else [[], []]
     need(cert.shell == [sha(layers, prisms), len(layers[0]), len(prisms)], "hash", "shell")
     need(cert.mesh in (None, [sha(mesh[:1], mesh[1]), *map(len, mesh)]), "hash", "mesh")
@@ -280,11 +272,8 @@ def check_positive(case, decomposition):
         need(all(case.volume(tet) > 0 for tet in tets.values()), "not-positive", f"prism {prism}")
 
 # ---- section 3.2: the overlay
-def null_vector(columns):
-    """The integer solution x of sum x_i column_i = 0 if the solutions are a line, else None.
-
-    Each column is followed by the unit vector that names it, and then reduced by the ones before it."""
-    basis, found = [], []
+def null_vector(columns):  # the integer solution x of sum x_i column_i = 0 if the solutions are a line, else None
+    basis, found = [], []  # each column is followed by the unit vector that names it, and reduced by those before it
     for i, column in enumerate(columns):
         row = [*column, *(int(i == j) for j in range(len(columns)))]
         for pivot, other in basis: row = [other[pivot] * x - row[pivot] * y for x, y in zip(row, other)]
@@ -294,8 +283,7 @@ def null_vector(columns):
     return found[0][1][4:] if len(found) == 1 else None
 def holders(case, S, names):  # the tets of S that hold all the names, as (prism, names)
     return [(j, t) for j in case.M.at.get(names[0] // 3, ()) for t in S[j] if set(names) <= set(t)]
-def overlay_vertex(case, S, ids, names):
-    """3.2.2: the point of a `v` line as (weights on mesh vertices, weights on shell vertices, names)."""
+def overlay_vertex(case, S, ids, names):  # 3.2.2: a `v` line as (mesh weights, projected weights, names)
     at, n = f"v line {ids} {names}", len(ids)
     need(any(set(ids) <= set(case.T.faces[f]) for f in case.T.at.get(ids[0], ())), "mesh-carrier", at)
     need(holders(case, S, names), "shell-carrier", at)
@@ -306,8 +294,7 @@ def overlay_vertex(case, S, ids, names):
     solution = [x * total for x in solution[:n]] + [-x * total for x in solution[n:]]
     need(min(solution) > 0, "outside-carrier", at)
     return dict(zip(ids, solution)), projected(dict(zip(names, solution[n:]))), set(names)
-def check_overlay(case, S, vertices, lines, named):
-    """The complex K as (its points, its cells (f, prism, fan in f), its boundary edges)."""
+def check_overlay(case, S, vertices, lines, named):  # K: points, cells (f, prism, fan in f), boundary edges
     check_positive(case, S)  # 3.2.1
     points, cells, images, edges = [overlay_vertex(case, S, *v) for v in vertices], [], {}, set()
     for k, c in enumerate(lines):  # 3.2.3
@@ -446,8 +433,7 @@ def separates(case, planes, A, B):  # Section 3.5, for planes (n, h) and simplic
             return False
         A, B = [t for t, value in zip(A, a) if not value], [t for t, value in zip(B, b) if not value]
     return any(set(s) == common or len(s) == 1 and case.X[s[0]] in pinched for s in (A, B))
-def listed_planes(case, f, planes):
-    """The planes of a `sep` or `contact-sep` line as (n, h); a name that does not exist separates nothing."""
+def listed_planes(case, f, planes):  # as (n, h); a name that does not exist separates nothing
     for kind, points in planes:
         need(all(p < 0 or p in case.N[p // 3] for p in points), "not-separated", "no such name")
         a, b, *c = case.at(points)
