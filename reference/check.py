@@ -107,12 +107,11 @@ class Certificate:  # what it says: `claims`, `shell`, `mesh`, `order`, `pinched
         if name in ("no-section", "no-order"):
             first = self.line("first V+", lambda f: distinct(f[0]))[0] if name == "no-order" else []
             return first, self.witness()
-        j, good = ("T", lambda f: f[0] < f[1]) if name == "disjoint-mesh" else ("P", lambda f: True)
-        if certified:
-            spec, key = ("contact-sep T P Q L+", 3) if name == "i2" else (f"sep T {j} L+", 2)
-            return list(self.each(spec, 0, lambda f, previous: good(f) and previous[:key] < f[:key]))
-        spec = "contact T P Q A B X" if name == "i2" else f"cross T {j} A A"
-        return list(self.each(spec, 1, lambda f, _: good(f)))
+        j, least = "T" if name == "disjoint-mesh" else "P", 0 if certified else 1
+        spec = f"sep T {j} L+" if certified else f"cross T {j} A A"
+        if name == "i2": spec = "contact-sep T P Q L+" if certified else "contact T P Q A B X"
+        good = lambda f, previous: (j == "P" or f[0] < f[1]) and (not certified or previous[:-1] < f[:-1])
+        return list(self.each(spec, least, good))
     def overlay(self):
         vertices, named = {}, ([], [])
         for ids, names in self.each("v S N"):
@@ -159,8 +158,7 @@ def projected(weights):  # for {name: weight}, the sums over the names of each v
     return {v: sum(x for n, x in weights.items() if n // 3 == v) for v in {n // 3 for n in weights}}
 def proportional(a, b):  # whether two points, given as {vertex: positive weight}, are equal
     return a.keys() == b.keys() and all(a[k] * sum(b.values()) == b[k] * sum(a.values()) for k in a)
-def meeting(A, B, left, right):
-    """All (i, j) of left and right of which the closed boxes A[i], B[j] meet: halves `right`, prunes `left`."""
+def meeting(A, B, left, right):  # (i, j) whose closed boxes A[i], B[j] meet: halves `right`, prunes `left`
     if len(right) <= 4: return [(i, j) for i in left for j in right if meet(A[i], B[j])]
     hull = box([B[j][:3] for j in right] + [B[j][3:] for j in right])
     left, axis = [i for i in left if meet(A[i], hull)], max(range(3), key=lambda k: hull[k + 3] - hull[k])
@@ -400,8 +398,7 @@ def check_roots(case, S, facts):
             landed |= {case.M.component[ends[0][3]]} if reason == "lands" else set()
     need(distinct([case.T.component[f] for f, _, _ in facts]), "wrong-branches")
     need(len(landed) < len(facts), "not-refuted")
-def last_station(case, S, f, weights, branch, start, steps):
-    """The last station of a leg as (f, {mesh vertex: weight}, coordinates in the tet, prism, tet)."""
+def last_station(case, S, f, weights, branch, start, steps):  # (f, {mesh vertex: weight}, coordinates, prism, tet)
     faces, (prism, tet) = case.T.faces, find_tet(case, S, start)
     here = coordinates(case, mix(case.corners[f], weights), tet)  # {} if the tet is not positive
     need(here and set(branch) <= set(start), "wrong-step")
@@ -414,8 +411,7 @@ def last_station(case, S, f, weights, branch, start, steps):
         need(good and star, "wrong-step", f"step on {g}")
         f, tet, here = g, new, after
     return f, {v: w for v, w in zip(faces[f], weights) if w}, here, prism, tet
-def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):
-    """Whether the reason holds at the last station (of a second leg: mesh2, here2)."""
+def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):  # at the last station (leg 2: mesh2, ..)
     (n, h), same_point = case.planes[f], proportional(on_mesh, mesh2)
     on_rim, on_wall = {*on_mesh} in case.T.rim, {*projected(here)} in case.M.rim
     flat = len(here) == 4 or len(here) == 3 and all(dot(n, p) == h for p in case.at(here))
@@ -425,7 +421,7 @@ def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):
             "monodromy": same_point and here.keys() != here2.keys()}[reason]
 
 # ---- sections 3.5 and 3.6: separation and contact
-def separates(case, planes, A, B):  # Section 3.5, for planes (n, h) and simplices given by their tags
+def separates(case, planes, A, B):  # section 3.5, for planes (n, h) and simplices given by their tags
     common, pinched = set(A) & set(B), {case.X[n] for n in B if n in case.pins}
     for (x, y, z), h in planes:
         a, b = ([x * p[0] + y * p[1] + z * p[2] - h for p in case.at(s)] for s in (A, B))

@@ -321,7 +321,8 @@ class Checks(unittest.TestCase):
         self.refute("valid", low, "root 0 1 0 0" + branch + "boundary")
         for reason in ("wall", "cap", "fold", "lands"):
             self.refute("invalid not-refuted", low, "root 0 1 0 0" + branch + reason)
-        self.refute("malformed syntax", low, "root 0 1 0 0" + branch + "twice")
+        for reason in ("twice", "reason", "cap 0"):
+            self.refute("malformed syntax", low, "root 0 1 0 0" + branch + reason)
         self.refute("invalid wrong-step", low, "root 0 1 0 0" + branch.replace("start " + tet, "start m0,m1,m2,t2") + "boundary")
         self.refute("invalid unknown-tet", low, "root 0 1 0 0" + branch.replace("start " + tet, "start b0,m0,m1,t1") + "boundary")
         self.refute("valid", low, f"root 0 1 1 1{branch[:-1]}\nstep 0 1 0 0 {tet}\nboundary")
