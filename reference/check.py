@@ -411,7 +411,7 @@ def last_station(case, S, f, weights, branch, start, steps):  # (f, {mesh vertex
         need(good and star, "wrong-step", f"step on {g}")
         f, tet, here = g, new, after
     return f, {v: w for v, w in zip(faces[f], weights) if w}, here, prism, tet
-def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):  # at the last station (leg 2: mesh2, ..)
+def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):  # at the last stations of its legs
     (n, h), same_point = case.planes[f], proportional(on_mesh, mesh2)
     on_rim, on_wall = {*on_mesh} in case.T.rim, {*projected(here)} in case.M.rim
     flat = len(here) == 4 or len(here) == 3 and all(dot(n, p) == h for p in case.at(here))
