@@ -1,465 +1,499 @@
 #!/usr/bin/env python3
 """Second, independent checker of homeo certificates: python3 check.py CERT INPUT...
 
-It follows certs/FORMAT.md (version 1), section by section, and uses only the standard library: this file
-holds the rules (section 3), reading.py the files (sections 2, 5, 6), shapes.py the words (section 1).
-Every decision is made on Python integers: all coordinates are scaled by one common power of two.
-A shell name is the integer 3 * vertex + layer (b 0, m 1, t 2): names are ordered as these integers are.
-Exit codes: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
+It follows certs/FORMAT.md, version 1, whose sections are cited, and needs only the standard library. All coordinates
+are multiplied by one common power of two: every decision is made on Python integers. A *tag* is an integer that names
+a point: 3 * vertex + layer (b 0, m 1, t 2) for a shell name, ~v for mesh vertex v. inputs.py reads the input files.
 """
-import hashlib
-import itertools
-import math
-import struct
-import sys
+import functools, hashlib, itertools, math, re, struct, sys
+from inputs import WRONG, read_file, read_inputs
 
-from reading import Certificate, Stop, distinct, need, read_file, read_inputs
-from shapes import Case, box, box_tree, cross, det, det3, dot, meet, meeting, plane, sub
+DIGITS = 4000
+chain = itertools.chain.from_iterable
+ascending = lambda items: all(a < b for a, b in zip(items, items[1:]))
+distinct = lambda items: len(set(items)) == len(items)
 
-# ------------------------------------------------- section 3: binding
+class Stop(Exception): pass  # the first failure: kind (`invalid`, `malformed`, `limit`), code, explanation
+def need(condition, code, why="", kind="invalid"):
+    if not condition: raise Stop(kind, code, why)
+
+# ---- section 2, the file, and "Certificate file" of section 3
+CLAIMS = "positivity section bijection section-all-orders disjoint-mesh disjoint-bottom disjoint-top i2".split()
+ID, W, NAME = "(?:0|[1-9][0-9]{0,9})", "(?:0|[1-9][0-9]*)", "[bmt](?:0|[1-9][0-9]{0,9})"
+number = lambda text: int(text[:DIGITS + 2])  # numbers that are cut short are over the limit of digits
+numbers = lambda text: tuple(map(number, text.split(" ")))
+tag = lambda text: ~int(text[1:]) if text[0] == "g" else 3 * int(text[1:]) + "bmt".index(text[0])
+tags = lambda text: tuple(map(tag, text.split(",")))
+FIELDS = {  # kind: regular expression and value of a field
+    **dict.fromkeys("IVTPGCD", (ID, int)),  # any, shell vertex, triangle, prism, mesh vertex, `v`, `c` line
+    "K": ("|".join(CLAIMS), str), "R": ("certified|refuted", str), "H": ("[0-9a-f]{64}", str),
+    "A": (rf"(?!0 0 0\b){W} {W} {W}", numbers), "B": (rf"(?!0 0 0 0\b){W} {W} {W} {W}", numbers),  # weights
+    "J": ("0|-?[1-9][0-9]{0,9}", int),  # INT, and VALUE as (odd, exponent):
+    "X": (r"0|-?(?:[1-9][0-9]*)?[13579](?:\*2\^-?[1-9][0-9]{0,4})?",
+          lambda text: tuple(map(number, (text + "*2^0").split("*2^")[:2]))),
+    "S": (f"{ID}(?:,{ID}){{0,2}}", lambda text: tuple(map(int, text.split(",")))),  # TIDS
+    "N": (f"{NAME}(?:,{NAME})*", tags), "Q": (f"{NAME}(?:,{NAME}){{3}}", tags),  # NAMES, TET, and PLANE:
+    "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID), lambda text: (text[0], tags(text[2:])))}
+@functools.lru_cache(None)
+def grammar(spec):  # A line's expression, a group for each field, and its fields (kind, how often if not once)
+    words = [(word[0], word[1:]) if word[0] in FIELDS else ("", word) for word in spec.split(" ")]
+    field = lambda one, times: f"((?: (?:{one})){times})" if times else f" ({one})"
+    parts = [field(FIELDS[kind][0], rest) if kind else " " + rest for kind, rest in words]
+    return re.compile(("\n" + "".join(parts)[1:] + "(?=\n)").encode()), [word for word in words if word[0]]
+
+class Certificate:  # what it says: `claims`, `shell`, `mesh`, `order`, `pinched`, `blocks`
+    def __init__(self, data):
+        self.data, self.at, self.row, self.bound, self.blocks, counts = data, 19, 1, {}, {}, []
+        self.ok(not re.search(rb"[^\n\x20-\x7e]", data), "bytes")
+        self.ok(data == b"end\n" or data.endswith(b"\nend\n"), "truncated")
+        self.ok(data.startswith(b"homeo-certificate 1\n"), "magic")
+        claims = list(self.each("claim K R"))
+        self.ok(ascending([CLAIMS.index(name) for name, _ in claims]))
+        self.claims = dict(claims)
+        present = self.plan()
+        self.shell = self.line("shell H I I")
+        self.mesh = None if list(self.claims) == ["positivity"] else self.line("mesh H I I")
+        self.bound = dict(zip("VPGT", self.shell[1:] + (self.mesh or [0, 0, 0])[1:]))
+        other = lambda f: len(f[0]) == self.shell[1] and distinct(f[0]) and f[0] != list(range(len(f[0])))
+        self.order = self.line("order list V+", other)[0] if self.ahead("order list") else self.line("order id")
+        self.pinched = self.line("pinched I V*", lambda f: ascending(f[1]))
+        for name in present:
+            self.line("begin " + name)
+            start = self.row
+            self.blocks[name] = self.block(name, self.claims.get(name) == "certified")
+            counts.append(self.row - start)
+        self.ok(self.line("counts I*") == [counts], "counts")
+        self.line("end")
+        self.ok(self.at == len(data) - 1)
+    def ok(self, condition, code="syntax", kind="malformed"): need(condition, code, f"line {self.row}", kind)
+    def ahead(self, words): return re.compile(f"\n{words}[ \n]".encode()).match(self.data, self.at)
+    def line(self, spec, good=lambda fields: True):  # the fields of the next line; `at` is the LF before it
+        pattern, kinds = grammar(spec)
+        match, self.row, fields, items = pattern.match(self.data, self.at), self.row + 1, [], []
+        self.ok(match)
+        self.at = match.end()
+        for (kind, times), text in zip(kinds, match.groups()):
+            values = [FIELDS[kind][1](x) for x in (text.decode().split(" ")[1:] if times else [text.decode()])]
+            fields.append(values if times else values[0])
+            items += [(kind, value) for value in values]
+        self.ok(all(ascending(value) for kind, value in items if kind in "NQS") and good(fields))
+        self.ok(not re.search(rb"(?<![0-9])[0-9]{%d}" % (DIGITS + 1), match[0]), "digits", "limit")
+        self.ok(all(self.in_range(*item) for item in items), "range")
+        return fields
+    def in_range(self, kind, value):
+        points = value if kind in "NQ" else value[1] if kind == "L" else [~v for v in value] if kind == "S" else ()
+        return (all(-self.bound["G"] <= p < 3 * self.bound["V"] for p in points)
+                and (kind not in self.bound or value < self.bound[kind]))
+    def each(self, spec, least=1, good=lambda fields, previous: True):  # lines that start with the first words of spec
+        fields, words = [], re.split(" (?=[A-Z])", spec)[0]
+        while least > 0 or self.ahead(words):
+            fields, least = self.line(spec, lambda found: good(found, fields)), least - 1
+            yield fields
+    def plan(self):  # checks that the claims fit together; the blocks that must be present, in order
+        said, refuted = self.claims.get, lambda *names: any(self.claims.get(x) == "refuted" for x in names)
+        self.ok(said("section") == said("bijection"), "claims")
+        parts = {"section-all-orders": ("positivity", "section"), "i2": ("section-all-orders", *CLAIMS[5:7])}
+        for name in filter(said, parts):
+            self.ok(all(map(said, parts[name])) and (refuted(name) or not refuted(*parts[name])), "claims")
+        present = {"positivity": refuted("positivity"), "overlay": said("section") == "certified",
+                   "no-section": refuted("section"),
+                   "no-order": refuted("section-all-orders") and not refuted("positivity", "section"),
+                   **{name: said(name) for name in CLAIMS[4:7]},
+                   "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
+        return filter(present.get, present)
+    def block(self, name, certified):  # the fact lines of a block
+        if name == "positivity": return list(self.each("tet P Q X"))
+        if name == "overlay": return self.overlay()
+        if name in ("no-section", "no-order"):
+            first = self.line("first V+", lambda f: distinct(f[0]))[0] if name == "no-order" else []
+            return first, self.witness()
+        j, least = "T" if name == "disjoint-mesh" else "P", 0 if certified else 1
+        spec = f"sep T {j} L+" if certified else f"cross T {j} A A"
+        if name == "i2": spec = "contact-sep T P Q L+" if certified else "contact T P Q A B X"
+        good = lambda f, previous: (j == "P" or f[0] < f[1]) and (not certified or previous[:-1] < f[:-1])
+        return list(self.each(spec, least, good))
+    def overlay(self):
+        vertices, named = {}, ([], [])
+        for ids, names in self.each("v S N"):
+            self.ok((ids, names) not in vertices, "duplicate")
+            vertices[ids, names] = None
+        self.bound["C"] = len(vertices)
+        cells = [cell for cell, in self.each("c C{3,}", 1, lambda f, _: distinct(f[0]))]
+        self.bound["D"] = len(cells)
+        for lines, word in zip(named, ("mesh", "middle")):
+            for cell, triangle in self.each(f"d {word} D I"):
+                self.ok(triangle < len(cells[cell]) - 2, "range")
+                lines.append((cell, triangle))
+        return vertices, cells, named
+    def witness(self):
+        for words, fields in (("topology components", "I I"), ("topology euler", "J J"), ("tet", "P Q X")):
+            if self.ahead(words): return words, self.line(f"{words} {fields}")
+        return "roots", [(*root, list(self.branches())) for root in self.each("root T A")]
+    def branches(self):
+        leg = lambda: (*self.line("start Q"), list(self.each("step T A Q", 0)))
+        for names, in self.each("branch N", 0, lambda f, previous: previous < f):
+            legs = [leg()] + ([leg()] if self.ahead("start") else [])
+            reasons = ["twice", "monodromy"] if len(legs) > 1 else ["cap", "wall", "boundary", "fold", "lands"]
+            reason = next(filter(self.ahead, reasons), reasons[0])
+            self.line(reason)
+            yield names, legs, reason
+
+# ---- section 1: words
+sub = lambda a, b: (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+dot = lambda a, b: a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+cross = lambda a, b: (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+det3 = lambda a, b, c: dot(a, cross(b, c))
+det = lambda a, b, c, d: det3(sub(b, a), sub(c, a), sub(d, a))
+sides = lambda a, b, c: ((a, b), (b, c), (c, a))
+fan = lambda c: [(c[0], c[i], c[i + 1]) for i in range(1, len(c) - 1)]
+box = lambda points: (*map(min, zip(*points)), *map(max, zip(*points)))
+meet = lambda a, b: (a[0] <= b[3] and b[0] <= a[3] and a[1] <= b[4] and b[1] <= a[4]
+                     and a[2] <= b[5] and b[2] <= a[5])
+def plane(a, b, c):  # (n, h): n . x - h is det[b-a, c-a, x-a]
+    n = cross(sub(b, a), sub(c, a))
+    return n, dot(n, a)
+def mix(points, weights):  # the weighted point as (x, y, z, w)
+    return tuple(sum(w * p[k] for w, p in zip(weights, points)) for k in range(3)) + (sum(weights),)
+def projected(weights):  # for {name: weight}, the sums over the names of each vertex
+    return {v: sum(x for n, x in weights.items() if n // 3 == v) for v in {n // 3 for n in weights}}
+def proportional(a, b):  # whether two points, given as {vertex: positive weight}, are equal
+    return a.keys() == b.keys() and all(a[k] * sum(b.values()) == b[k] * sum(a.values()) for k in a)
+def meeting(A, B, left, right):  # (i, j) whose closed boxes A[i], B[j] meet: halves `right`, prunes `left`
+    if len(right) <= 4: return [(i, j) for i in left for j in right if meet(A[i], B[j])]
+    hull = box([B[j][:3] for j in right] + [B[j][3:] for j in right])
+    left, axis = [i for i in left if meet(A[i], hull)], max(range(3), key=lambda k: hull[k + 3] - hull[k])
+    right, half = sorted(right, key=lambda j: B[j][axis] + B[j][axis + 3]), len(right) // 2
+    return [pair for some in (right[:half], right[half:]) if left for pair in meeting(A, B, left, some)]
+def parts(items, near):  # for each item the first one that it is connected with through near(item)
+    first = {}
+    for start in items:
+        todo = [start]
+        for item in todo:
+            if item not in first:
+                first[item] = start
+                todo += near(item)
+    return first
+
+class Complex:  # oriented triangles by vertex (`at`), directed edge, vertex set (`find`); boundary (`rim`), components
+    def __init__(self, faces):
+        self.faces, self.at, self.edge = faces, {}, {}
+        for i, f in enumerate(faces):
+            for v, w in sides(*f):
+                self.edge[v, w] = i
+                self.at.setdefault(v, []).append(i)
+        self.find = {frozenset(f): i for i, f in enumerate(faces)}
+        rim = [(a, b) for a, b in self.edge if (b, a) not in self.edge]
+        self.rim = {frozenset(s) for a, b in rim for s in ((a, b), (a,), (b,))}
+        across = lambda i: [(e, self.edge[e[::-1]]) for e in sides(*faces[i]) if e[::-1] in self.edge]
+        self.component = parts(range(len(faces)), lambda i: [j for _, j in across(i)])
+        self.count = len(set(self.component.values()))
+        self.euler = len(self.at) - len(set(map(frozenset, self.edge))) + len(faces)
+        fans = parts([(v, i) for v in self.at for i in self.at[v]],
+                     lambda corner: [(corner[0], j) for e, j in across(corner[1]) if corner[0] in e])
+        self.manifold = (len(faces) > 0 and all(map(distinct, faces)) and len(self.find) == len(faces)
+                         and len(self.edge) == 3 * len(faces) and len(set(fans.values())) == len(self.at))
+
+straight = lambda tet: det(*((c == 1, c == 2, h) for c, h in tet)) > 0  # whether positive in the straight unit prism
+turned = lambda tet: tet if straight(tet) else (tet[0], tet[1], tet[3], tet[2])
+ORDERS = {}  # order of a prism's corners: its three tets, as (four (corner, 0 lo | 1 hi), pillar's corner)
+for u, v, w in itertools.permutations(range(3)):
+    a, b, c, d, e, f = itertools.product((u, v, w), (0, 1))  # lo, hi of u, v, w
+    ORDERS[u, v, w] = [(turned((a, c, e, f)), w), (turned((a, c, d, f)), v), (turned((a, b, d, f)), u)]
+ALL12 = list({frozenset(t): (t, pillar) for three in ORDERS.values() for t, pillar in three}.values())
+
+class Case:  # shell and mesh in integers (times `unit`): points `X` by tag, names `N` by vertex; complexes `M`, `T`
+    def __init__(self, layers, prisms, points, triangles):
+        self.unit = max(x.as_integer_ratio()[1] for p in chain([*layers, points]) for x in p)
+        scale = lambda p: tuple(n * (self.unit // d) for n, d in map(float.as_integer_ratio, p))
+        self.X = [scale(p) for triple in zip(*layers) for p in triple] + [scale(p) for p in points[::-1]]
+        self.N = [(3 * v + 1,) * 3 if b == m == t else (3 * v, 3 * v + 1, 3 * v + 2)
+                  for v, (b, m, t) in enumerate(zip(*layers))]
+        self.pins = {b for b, m, t in self.N if b == t}
+        self.M, self.T = Complex(prisms), Complex(triangles)
+        self.corners = [self.at(~v for v in f) for f in triangles]
+        self.planes = [plane(*c) for c in self.corners]
+        self.boxes = [box(self.at(n for v in f for n in self.N[v])) for f in prisms]
+    def at(self, tags): return [self.X[t] for t in tags]
+    def volume(self, tet): return det(*self.at(tet[0]))
+    def dot(self, f, tet): return dot(self.planes[f][0], tet[1])
+    def tets(self, prism, chosen=ALL12):  # {names: (names in positive order, V)} of a prism, in both slabs
+        corners, found = [self.N[v] for v in self.M.faces[prism]], {}
+        for slab, (t, pillar) in itertools.product((0, 1), chosen):
+            lo, hi = corners[pillar][slab:slab + 2]
+            if lo != hi:
+                order = [corners[c][slab + h] for c, h in t]
+                found[tuple(sorted(order))] = order, sub(self.X[hi], self.X[lo])
+        return found
+    def decomposition(self, order):  # S_< by prism, for all vertices, smallest first
+        rank = {v: i for i, v in enumerate(order)}
+        local = lambda f: tuple(sorted(range(3), key=lambda c: rank[f[c]]))
+        return [self.tets(j, ORDERS[local(f)]) for j, f in enumerate(self.M.faces)]
+    def clear(self, f, prism):  # whether f has a positive dot with both halves of all unpinched pillars of the prism
+        pillars = [self.at(self.N[v]) for v in self.M.faces[prism] if 3 * v + 1 not in self.pins]
+        return all(b < m < t for b, m, t in ([dot(self.planes[f][0], p) for p in pillar] for pillar in pillars))
+    def equals(self, scaled, value):  # whether scaled / unit^3 is the file's value odd * 2^exponent
+        return scaled << max(-value[1], 0) == value[0] * self.unit ** 3 << max(value[1], 0)
+    def cap(self, names):  # 3.2.2: all names are `t` or pinched, or all `b` or pinched, but not one pinched name
+        free = {n % 3 for n in names if n not in self.pins}
+        return free in ({0}, {2}) or not free and len(names) > 1
+
+# ---- section 3, inputs and binding
 def sha(layers, faces):
-    digest = hashlib.sha256()
-    for points in layers:
-        digest.update(struct.pack(f"<{3 * len(points)}d", *itertools.chain(*points)))
-    digest.update(struct.pack(f"<{3 * len(faces)}I", *itertools.chain(*faces)))
-    return digest.hexdigest()
-
-def bind(cert, layers, prisms, mesh):
-    """Section 3, binding: the inputs are those that the certificate names, and fit to be judged."""
-    points, triangles = mesh
+    pack = lambda code, rows: struct.pack(f"<{3 * len(rows)}{code}", *chain(rows))
+    return hashlib.sha256(b"".join(pack("d", layer) for layer in layers) + pack("I", faces)).hexdigest()
+def sound_inputs(paths, mesh_needed):  # points and faces of bottom, middle and top layer and, if read, the mesh
+    try: points, faces = zip(*read_inputs(paths, mesh_needed))
+    except WRONG as error: raise Stop("malformed", "input", ascii(error)[:200]) from None
+    good = all(p and all(map(math.isfinite, chain(p))) and all(0 <= v < len(p) for v in chain(f))
+               for p, f in zip(points, faces)) and len(set(map(len, points[:3]))) == 1
+    need(good and faces[0] == faces[1] == faces[2], "input", "coordinate, index or connectivity", "malformed")
+    return points, faces
+def bind(cert, points, faces):  # the inputs are those that the certificate names, and fit to be judged
+    layers, prisms, mesh = points[:3], faces[0], [points[3], faces[3]] if cert.mesh else [[], []]
     need(cert.shell == [sha(layers, prisms), len(layers[0]), len(prisms)], "hash", "shell")
-    if cert.mesh:
-        need(cert.mesh == [sha([points], triangles), len(points), len(triangles)], "hash", "mesh")
-    case = Case(layers, prisms, points, triangles if cert.mesh else [])
-    pins = [sum(v in case.pin for v in f) for f in prisms]
-    need(case.M.manifold() and max(pins) < 3, "shell-conditions")
-    need(not cert.mesh or case.T.manifold() and all(any(n) for n, _ in case.planes), "mesh-conditions")
-    need(cert.pinched == [8 * sum(pins)] + case.pinned, "pinched")
-    case.prepare()
+    need(cert.mesh in (None, [sha(mesh[:1], mesh[1]), *map(len, mesh)]), "hash", "mesh")
+    case = Case(layers, prisms, *mesh)
+    pins = [sum(3 * v + 1 in case.pins for v in f) for f in prisms]
+    need(case.M.manifold and max(pins) < 3, "shell-conditions")
+    need(not cert.mesh or case.T.manifold and all(any(n) for n, _ in case.planes), "mesh-conditions")
+    need(cert.pinched == [8 * sum(pins), sorted(n // 3 for n in case.pins)], "pinched")
     return case
 
-# ------------------------------------------------- section 3.1: positivity
-def check_refuted_tet(case, fact, tets):
+# ---- section 3.1: positivity
+def check_tet(case, fact, tets):
     prism, names, value = fact
     need(names in tets, "unknown-tet", f"prism {prism}")
-    volume = case.volume(tets[names])
-    need(case.equals(volume, value), "wrong-value", f"prism {prism}")
-    need(volume <= 0, "not-refuted", f"prism {prism}")
+    need(case.equals(case.volume(tets[names]), value), "wrong-value", f"prism {prism}")
+    need(case.volume(tets[names]) <= 0, "not-refuted", f"prism {prism}")
+def check_positive(case, decomposition):
+    for prism, tets in enumerate(decomposition):
+        need(all(case.volume(tet) > 0 for tet in tets.values()), "not-positive", f"prism {prism}")
 
-def check_positivity(case, facts):
-    for fact in facts or ():
-        check_refuted_tet(case, fact, case.tets(fact[0]))
-    for prism in range(0 if facts else len(case.M.faces)):
-        need(all(case.volume(t) > 0 for t in case.tets(prism).values()), "not-positive", f"prism {prism}")
-
-# ------------------------------------------------- section 3.2: the overlay
-def one_point(columns):
-    """The solution of a homogeneous system when its space is a line, else None (Bareiss's elimination)."""
-    rows, pivots, last, n = [list(r) for r in zip(*columns)], [], 1, len(columns)
-    for c in range(n):
-        k = len(pivots)
-        r = next((r for r in range(k, 4) if rows[r][c]), None)
-        if r is None:
-            continue
-        rows[k], rows[r] = rows[r], rows[k]
-        p = rows[k][c]
-        for i in range(4):
-            if i != k:
-                q = rows[i][c]
-                rows[i] = [(p * x - q * y) // last for x, y in zip(rows[i], rows[k])]
-        pivots.append(c)
-        last = p
-    if len(pivots) != n - 1:
-        return None
-    free = next(c for c in range(n) if c not in pivots)
-    solution = [last] * n
-    for k, c in enumerate(pivots):
-        solution[c] = -rows[k][free]
-    return solution
-
-def holders(case, S, names):
-    """The tets of S that hold all the names, as (prism, names)."""
+# ---- section 3.2: the overlay
+def null_vector(columns):  # the integer solution x of sum x_i column_i = 0 if the solutions are a line, else None
+    basis, found = [], []  # each column is followed by the unit vector that names it, and reduced by those before it
+    for i, column in enumerate(columns):
+        row = [*column, *(int(i == j) for j in range(len(columns)))]
+        for pivot, other in basis: row = [other[pivot] * x - row[pivot] * y for x, y in zip(row, other)]
+        common = math.gcd(*row)
+        pivot, row = next((k for k in range(4) if row[k]), None), [x // common for x in row]
+        (found if pivot is None else basis).append((pivot, row))
+    return found[0][1][4:] if len(found) == 1 else None
+def holders(case, S, names):  # the tets of S that hold all the names, as (prism, names)
     return [(j, t) for j in case.M.at.get(names[0] // 3, ()) for t in S[j] if set(names) <= set(t)]
-
-def overlay_vertex(case, S, ids, names, at):
-    T = case.T
-    edge = ids in T.edge or ids[::-1] in T.edge
-    need([ids[0] in T.at, edge, ids in T.find][len(ids) - 1], "mesh-carrier", at)
+def overlay_vertex(case, S, ids, names):  # 3.2.2: a `v` line as (mesh weights, projected weights, names)
+    at, n = f"v line {ids} {names}", len(ids)
+    need(any(set(ids) <= set(case.T.faces[f]) for f in case.T.at.get(ids[0], ())), "mesh-carrier", at)
     need(holders(case, S, names), "shell-carrier", at)
     need(not case.cap(names), "cap", at)
-    columns = [case.G[i] + (1,) for i in ids] + [tuple(-x for x in case.P[n]) + (-1,) for n in names]
-    solution = one_point(columns)
-    total = sum(solution[:len(ids)]) if solution else 0
+    solution = null_vector([p + (1,) for p in case.at([~i for i in ids] + [*names])]) or [0]
+    total = sum(solution[:n])
     need(total, "no-point", at)
-    common = math.gcd(*solution) if total > 0 else -math.gcd(*solution)
-    solution = [x // common for x in solution]
+    solution = [x * total for x in solution[:n]] + [-x * total for x in solution[n:]]
     need(min(solution) > 0, "outside-carrier", at)
-    on_mesh, on_middle = dict(zip(ids, solution)), {}
-    for n, x in zip(names, solution[len(ids):]):
-        on_middle[n // 3] = on_middle.get(n // 3, 0) + x
-    return on_mesh, on_middle, frozenset(names)
-
-def rows(weights, corners):
-    return [[w.get(x, 0) for x in corners] for w in weights]
-
-class Overlay:
-    """The complex K: `cells` as (f, prism, rows in f, rows in the prism), `rim` its boundary edges."""
-
-    def __init__(self, case, S, facts):
-        vertices, cells, named = facts
-        for j, tets in enumerate(S):
-            need(all(case.volume(t) > 0 for t in tets.values()), "not-positive", f"prism {j}")
-        self.points = K = [overlay_vertex(case, S, *v, f"v line {i}") for i, v in enumerate(vertices)]
-        self.cells = [self.cell(case, S, c, f"c line {i}") for i, c in enumerate(cells)]
-        edges = set()
-        for c in cells:
-            for i in range(1, len(c) - 1):
-                for e in ((c[0], c[i]), (c[i], c[i + 1]), (c[i + 1], c[0])):
-                    need(e not in edges, "edge-twice", f"{e}")
-                    edges.add(e)
-        self.rim = [(a, b) for a, b in edges if (b, a) not in edges]
-        for a, b in self.rim:
-            on_mesh, on_middle = (K[a][k].keys() | K[b][k].keys() for k in (0, 1))
-            need(on_mesh in case.T.rim and on_middle in case.M.rim, "boundary", f"{a} {b}")
-        need(len(set(itertools.chain(*cells))) == len(K), "isolated")
-        for side, over in enumerate((case.T, case.M)):
-            found = [over.component[self.cells[cell][side]] for cell, _ in named[side]]
-            need(found == list(range(over.count)), "degree-component")
-        for side in (0, 1):
-            self.degree(side, named[side])
-
-    def cell(self, case, S, cell, at):
-        weights = [self.points[i] for i in cell]
-        f = case.T.find.get(tuple(sorted(set().union(*(w[0] for w in weights)))))
+    return dict(zip(ids, solution)), projected(dict(zip(names, solution[n:]))), set(names)
+def check_overlay(case, S, vertices, lines, named):  # K: points, cells (f, prism, fan in f), boundary edges
+    check_positive(case, S)  # 3.2.1
+    points, cells, images, edges = [overlay_vertex(case, S, *v) for v in vertices], [], {}, set()
+    for k, c in enumerate(lines):  # 3.2.3
+        at, (ids, over, names) = f"c line {k}", (set().union(*(points[i][s] for i in c)) for s in range(3))
+        f, j = case.T.find.get(frozenset(ids)), case.M.find.get(frozenset(over))
         need(f is not None, "cell-mesh", at)
-        j = case.M.find.get(tuple(sorted(set().union(*(w[1] for w in weights)))))
-        names = set().union(*(w[2] for w in weights))
         need(j is not None and any(names <= set(t) for t in S[j]), "cell-shell", at)
-        in_f = rows((w[0] for w in weights), case.T.faces[f])
-        in_j = rows((w[1] for w in weights), case.M.faces[j])
-        for i in range(1, len(cell) - 1):
-            need(det3(in_f[0], in_f[i], in_f[i + 1]) > 0, "area-mesh", at)
-            need(det3(in_j[0], in_j[i], in_j[i + 1]) > 0, "area-middle", at)
-        return f, j, in_f, in_j
+        rows = [fan([[points[i][s].get(v, 0) for v in face] for i in c])
+                for s, face in enumerate((case.T.faces[f], case.M.faces[j]))]
+        for i, (a, b) in enumerate(zip(*rows)):
+            for side, image in enumerate((a, b)):
+                need(det3(*image) > 0, ("area-mesh", "area-middle")[side], at)
+                images.setdefault((side, (f, j)[side]), {})[k, i] = image
+        cells.append((f, j, rows[0]))
+    for a, b in (edge for c in lines for triangle in fan(c) for edge in sides(*triangle)):  # 3.2.4
+        need((a, b) not in edges, "edge-twice", f"{a} {b}")
+        need(not case.cap(points[a][2] | points[b][2]), "cap", f"edge {a} {b}")
+        edges.add((a, b))
+    rim = sorted(edges - {(b, a) for a, b in edges})
+    for a, b in rim:
+        need({*points[a][0], *points[b][0]} in case.T.rim and {*points[a][1], *points[b][1]} in case.M.rim,
+             "boundary", f"{a} {b}")
+    need(len(set(chain(lines))) == len(points), "isolated")  # 3.2.5
+    for side, over in enumerate((case.T, case.M)):  # 3.2.6
+        found = [over.component[cells[cell][side]] for cell, _ in named[side]]
+        need(found == sorted(set(over.component.values())), "degree-component")
+    for side, name in [(side, name) for side in (0, 1) for name in named[side]]:
+        over = images[side, cells[name[0]][side]]
+        a, b, c = map(sum, over[name])
+        x = [p * b * c + q * a * c + r * a * b for p, q, r in zip(*over[name])]  # the centroid
+        for other, (p, q, r) in over.items():
+            inside = min(det3(x, q, r), det3(p, x, r), det3(p, q, x)) >= 0
+            need(not inside or other == name, "degree", f"cells {name[0]} {other[0]}")
+    return points, cells, rim
 
-    def degree(self, side, named):
-        over = {}
-        for i, c in enumerate(self.cells):
-            over.setdefault(c[side], []).append(i)
-        for cell, triangle in named:
-            c = self.cells[cell]
-            abc = [c[2 + side][i] for i in (0, triangle + 1, triangle + 2)]
-            a, b, c = (sum(r) for r in abc)
-            centre = [x * b * c + y * a * c + z * a * b for x, y, z in zip(*abc)]
-            for other in over[self.cells[cell][side]]:
-                r = self.cells[other][2 + side]
-                for i in range(1, len(r) - 1):
-                    inside = (det3(centre, r[i], r[i + 1]) >= 0 and det3(r[0], centre, r[i + 1]) >= 0
-                              and det3(r[0], r[i], centre) >= 0)
-                    need(not inside or (other, i - 1) == (cell, triangle), "degree", f"d line of cell {cell}")
-
-# ------------------------------------------------- section 3.3: all orders
-def clip(polygon, planes, corners):
-    """Cuts a polygon (barycentric rows on three corners) with closed half-spaces."""
-    for n, h in planes:
-        values = [dot(n, p) - h for p in corners]
-        if min(values) >= 0:
-            continue
-        side, kept = [dot(values, r) for r in polygon], []
-        for (p, x), (q, y) in zip(zip(polygon, side), zip(polygon[1:] + polygon[:1], side[1:] + side[:1])):
-            kept += [p] if x >= 0 else []
+# ---- section 3.3: all orders
+def cut(case, polygon, names, corners):  # Cuts a polygon (barycentric rows on three corners) with a closed tet
+    for k in range(4):
+        p, *face = case.at(names[k:] + names[:k])
+        n, h = plane(*face)
+        values = [(dot(n, c) - h) * (1 if dot(n, p) >= h else -1) for c in corners]
+        side, polygon = [(row, dot(values, row)) for row in polygon], []
+        for (p, x), (q, y) in zip(side, side[1:] + side[:1]):
+            polygon += [p] if x >= 0 else []
             if x * y < 0:
                 new = [abs(y) * s + abs(x) * t for s, t in zip(p, q)]
-                common = math.gcd(*new)
-                kept.append([s // common for s in new])
-        polygon = kept
+                polygon.append([s // math.gcd(*new) for s in new])
     return polygon
+def check_all_orders(case, points, cells, rim):
+    walls = lambda u, w: [(*case.N[u][s:s + 2], *case.N[w][s:s + 2]) for s in (0, 1)]
+    volume = lambda names: det(*case.at(names))  # of a wall: 0 if u or w is pinched
+    for a, b in rim:  # 3.3.1
+        names, ends = points[a][2] | points[b][2], {*points[a][1], *points[b][1]}
+        flat = [x for x in walls(*ends) if not volume(x)] + [[3 * v + 1 for v in ends]]
+        need(any(names <= set(x) for x in flat), "all-orders-boundary", f"edge {a} {b}")
+    for (f, j, rows), side in itertools.product(cells, range(-1, 3)):  # 3.3.2
+        corners, across = case.corners[f], sides(*case.M.faces[j])[side] if side >= 0 else ()
+        q = case.M.edge.get(across[::-1]) if across else j
+        if q is not None and not case.clear(f, q):
+            tets = [x for x in walls(*across) if volume(x)] if across else []
+            pieces = [cut(case, p, x, corners) for x in tets for p in rows] if across else rows
+            for names in [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]:
+                flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
+                need(all(flat), "all-orders", f"triangle {f}, prism {q}")
 
-def check_all_orders(case, K):
-    for a, b in K.rim:
-        names, (u, w) = K.points[a][2] | K.points[b][2], K.points[a][1].keys() | K.points[b][1].keys()
-        walls = [{*case.N[u][s:s + 2], *case.N[w][s:s + 2]} for s in (0, 1)]
-        flat = [len(x) < 4 or not det(*(case.P[n] for n in x)) for x in walls]
-        good = names <= {3 * u + 1, 3 * w + 1} or any(names <= x and z for x, z in zip(walls, flat))
-        need(good, "all-orders-boundary", f"edge {a} {b}")
-    for number, (f, j, r, _) in enumerate(K.cells):
-        corners = [case.G[v] for v in case.T.faces[f]]
-        for side in (None,) + case.M.sides(j):
-            q = j if side is None else case.M.edge.get(side[::-1])
-            if q is None or case.clear(f, q):
-                continue
-            pieces = [[r[0], r[i], r[i + 1]] for i in range(1, len(r) - 1)]
-            if side:
-                walls = [{*case.N[side[0]][s:s + 2], *case.N[side[1]][s:s + 2]} for s in (0, 1)]
-                walls = [x for x in walls if len(x) == 4 and det(*(case.P[n] for n in x))]
-                pieces = [clip(p, case.faces(x), corners) for x in map(list, walls) for p in pieces]
-            for tet in case.tets(q).values():
-                if case.sign(f, tet) <= 0:
-                    for piece in pieces:
-                        p = clip(piece, case.faces(tet[0]), corners)
-                        flat = all(not det3(p[0], p[i], p[i + 1]) for i in range(1, len(p) - 1))
-                        need(flat, "all-orders", f"cell {number}, prism {q}")
+# ---- section 3.4: the no-lift witness; a tet here is (names in positive order, V)
+def check_witness(case, S, word, facts):
+    if word == "tet": check_tet(case, facts, S[facts[0]])
+    elif word == "roots": check_roots(case, S, facts)
+    else:
+        values = [x.euler if word == "topology euler" else x.count for x in (case.T, case.M)]
+        need(values == facts, "wrong-value")
+        need(values[0] != values[1], "not-refuted")
+def find_tet(case, S, names):  # (prism, tet of S)
+    prism = case.M.find.get(frozenset(n // 3 for n in names))
+    need(prism is not None and names in S[prism], "unknown-tet")
+    return prism, S[prism][names]
+def coordinates(case, x, tet):  # {name: positive coordinate} of x = (x, y, z, w); {} outside or if tet is not positive
+    a, b, c, d = ([x[3] * p - q for p, q in zip(point, x)] for point in case.at(tet[0]))
+    values = det3(b, c, d), -det3(a, c, d), det3(a, b, d), -det3(a, b, c)
+    inside = min(values) >= 0 and case.volume(tet) > 0
+    return {n: v for n, v in zip(tet[0], values) if v} if inside else {}
+def injective_star(case, S, edge):  # whether S's tets around an edge are positive and their open wedges disjoint
+    wedges, (p, q) = [], case.at(edge)
+    for prism, names in holders(case, S, edge):
+        r, s = case.at(n for n in names if n not in edge)
+        wedges.append((r, s) if det(p, q, r, s) > 0 else (s, r))
+        if case.volume(S[prism][names]) <= 0: return False
+    before = lambda x, y: any(all(det(p, q, *z) <= 0 for z in side)
+                              for side in ([(x[0], z) for z in y], [(z, x[1]) for z in y]))
+    return all(before(x, y) or before(y, x) for x, y in itertools.combinations(wedges, 2))
+def check_roots(case, S, facts):
+    landed = set()
+    for f, weights, branches in facts:
+        x, carriers = mix(case.corners[f], weights), set()
+        for tets, b in zip(S, case.boxes):
+            if all(b[k] * x[3] <= x[k] <= b[k + 3] * x[3] for k in range(3)):
+                carriers |= {tuple(sorted(coordinates(case, x, tet))) for tet in tets.values()}
+        need(carriers - {()} == {branch[0] for branch in branches}, "wrong-branches", f"root on {f}")
+        for names, legs, reason in branches:
+            ends = [last_station(case, S, f, weights, names, *leg) for leg in legs]
+            need(holds(case, reason, *ends[0], *ends[-1]), "not-refuted", f"root on {f}, {reason}")
+            landed |= {case.M.component[ends[0][3]]} if reason == "lands" else set()
+    need(distinct([case.T.component[f] for f, _, _ in facts]), "wrong-branches")
+    need(len(landed) < len(facts), "not-refuted")
+def last_station(case, S, f, weights, branch, start, steps):  # (f, {mesh vertex: weight}, coordinates, prism, tet)
+    faces, (prism, tet) = case.T.faces, find_tet(case, S, start)
+    here = coordinates(case, mix(case.corners[f], weights), tet)  # {} if the tet is not positive
+    need(here and set(branch) <= set(start), "wrong-step")
+    for g, weights, names in steps:
+        (prism, new), x = find_tet(case, S, names), mix(case.corners[g], weights)
+        used = {v for v, w in zip(faces[g], weights) if w}
+        before, after = coordinates(case, x, tet), coordinates(case, x, new)
+        good = used <= set(faces[f]) and before and before.keys() == after.keys()
+        star = len(here) > 2 or len(here) == 2 and injective_star(case, S, tuple(sorted(here)))
+        need(good and star, "wrong-step", f"step on {g}")
+        f, tet, here = g, new, after
+    return f, {v: w for v, w in zip(faces[f], weights) if w}, here, prism, tet
+def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):  # at the last stations of its legs
+    (n, h), same_point = case.planes[f], proportional(on_mesh, mesh2)
+    on_rim, on_wall = {*on_mesh} in case.T.rim, {*projected(here)} in case.M.rim
+    flat = len(here) == 4 or len(here) == 3 and all(dot(n, p) == h for p in case.at(here))
+    return {"cap": case.cap(here), "wall": on_wall and not on_rim, "boundary": on_rim and not on_wall,
+            "fold": len(on_mesh) == 3 and case.dot(f, tet) <= 0 and flat, "lands": True,
+            "twice": not same_point and proportional(projected(here), projected(here2)),
+            "monodromy": same_point and here.keys() != here2.keys()}[reason]
 
-# ------------------------------------------------- section 3.4: the no-lift witness
-class Witness:
-    def __init__(self, case, S, witness):
-        self.case, self.S, (word, facts) = case, S, witness
-        self.stars = {}
-        if word == "tet":
-            check_refuted_tet(case, facts, S[facts[0]])
-        elif word == "topology":
-            values = [x.euler() if facts[0] == "euler" else x.count for x in (case.T, case.M)]
-            need(values == facts[1:], "wrong-value")
-            need(values[0] != values[1], "not-refuted")
-        else:
-            self.roots(facts)
-
-    def tet(self, names):
-        """Whether a tet of S is positive; stops when it is none of S."""
-        prism = self.case.M.find.get(tuple(sorted({n // 3 for n in names})))
-        need(prism is not None and names in self.S[prism], "unknown-tet", self.at)
-        return self.case.volume(self.S[prism][names]) > 0, prism
-
-    def coordinates(self, x, prism, names):
-        """{name: positive coordinate} of x = (x, y, z, w) in a tet; None outside or in a bad tet."""
-        order = self.S[prism][names][0]
-        if not self.case.volume((order,)) > 0:
-            return None
-        a, b, c, d = ([x[3] * p - q for p, q in zip(self.case.P[n], x)] for n in order)
-        values = det3(b, c, d), -det3(a, c, d), det3(a, b, d), -det3(a, b, c)
-        return {n: v for n, v in zip(order, values) if v} if min(values) >= 0 else None
-
-    def point(self, f, weights):
-        corners = self.case.T.faces[f]
-        return (self.case.mix([self.case.G[v] for v in corners], weights),
-                {v: w for v, w in zip(corners, weights) if w})
-
-    def injective_star(self, edge):
-        """Whether the open wedges around a shell edge of S's tets are disjoint."""
-        if edge not in self.stars:
-            positive, wedges, p, q = True, [], *(self.case.P[n] for n in edge)
-            for prism, names in holders(self.case, self.S, edge):
-                r, s = (self.case.P[n] for n in names if n not in edge)
-                wedges.append((r, s) if det(p, q, r, s) > 0 else (s, r))
-                positive &= self.case.volume(self.S[prism][names]) > 0
-            apart = lambda x, y: (all(det(p, q, x[0], z) <= 0 for z in y)
-                                  or all(det(p, q, z, x[1]) <= 0 for z in y))
-            pairs = itertools.combinations(wedges, 2)
-            self.stars[edge] = positive and all(apart(x, y) or apart(y, x) for x, y in pairs)
-        return self.stars[edge]
-
-    def roots(self, facts):
-        landed = set()
-        for (f, *weights), branches in facts:
-            self.at = f"root on triangle {f}"
-            x, on_mesh = self.point(f, weights)
-            carriers, w = set(), x[3]
-            for prism, b in enumerate(self.case.prism_boxes):
-                if all(b[k] * w <= x[k] <= b[k + 3] * w for k in range(3)):
-                    found = [self.coordinates(x, prism, names) for names in self.S[prism]]
-                    carriers |= {tuple(sorted(c)) for c in found if c}
-            need(carriers == {names for names, _, _ in branches}, "wrong-branches", self.at)
-            for names, legs, reason in branches:
-                ends = [self.leg(f, x, on_mesh, names, leg) for leg in legs]
-                need(self.holds(reason, ends), "not-refuted", self.at)
-                if reason == "lands":
-                    landed.add(self.case.M.component[ends[0][3]])
-        need(distinct([self.case.T.component[head[0]] for head, _ in facts]), "wrong-branches")
-        need(len(landed) < len(facts), "not-refuted")
-
-    def leg(self, f, x, on_mesh, branch, leg):
-        """Walks a leg; its last station as (f, point of T, coordinates in the tet, prism, tet)."""
-        tet, steps = leg
-        positive, prism = self.tet(tet)
-        need(positive and set(branch) <= set(tet), "wrong-step", self.at)
-        here = self.coordinates(x, prism, tet)
-        for g, *weights, new in steps:
-            positive, next_prism = self.tet(new)
-            x, on_mesh = self.point(g, weights)
-            need(positive and on_mesh.keys() <= set(self.case.T.faces[f]), "wrong-step", self.at)
-            before, after = self.coordinates(x, prism, tet), self.coordinates(x, next_prism, new)
-            need(before and after and before.keys() == after.keys(), "wrong-step", self.at)
-            for c in (here, after):
-                good = len(c) > 2 or len(c) == 2 and self.injective_star(tuple(sorted(c)))
-                need(good, "wrong-step", self.at)
-            f, tet, prism, here = g, new, next_prism, after
-        return f, on_mesh, here, prism, tet
-
-    def holds(self, reason, ends):
-        case, (f, on_mesh, here, prism, tet) = self.case, ends[0]
-        on_rim = frozenset(on_mesh) in case.T.rim
-        on_wall = frozenset(n // 3 for n in here) in case.M.rim
-        if reason == "cap":
-            return case.cap(list(here))
-        if reason in ("wall", "boundary"):
-            return (on_wall, on_rim) == (reason == "wall", reason == "boundary")
-        if reason == "fold":
-            n, h = case.planes[f]
-            flat = len(here) == 3 and all(dot(n, case.P[c]) == h for c in here)
-            return len(on_mesh) == 3 and case.sign(f, self.S[prism][tet]) <= 0 and (len(here) == 4 or flat)
-        if reason == "lands":
-            return True
-        same_point = same_map(*(end[1] for end in ends))
-        if reason == "monodromy":
-            return same_point and ends[0][2].keys() != ends[1][2].keys()
-        return not same_point and same_map(*(projected(end[2]) for end in ends))
-
-def projected(coordinates):
-    sums = {}
-    for n, x in coordinates.items():
-        sums[n // 3] = sums.get(n // 3, 0) + x
-    return sums
-
-def same_map(a, b):
-    x, y = sum(a.values()), sum(b.values())
-    return a.keys() == b.keys() and all(a[k] * y == b[k] * x for k in a)
-
-# ------------------------------------------------- sections 3.5 and 3.6: separation and contact
-def separates(planes, A, B, harmless):
-    """Section 3.5, for lists of (tag, point) and planes (n, h)."""
+# ---- sections 3.5 and 3.6: separation and contact
+def separates(case, planes, A, B):  # section 3.5, for planes (n, h) and simplices given by their tags
+    common, pinched = set(A) & set(B), {case.X[n] for n in B if n in case.pins}
     for (x, y, z), h in planes:
-        a = [x * p[0] + y * p[1] + z * p[2] - h for _, p in A]
-        b = [x * p[0] + y * p[1] + z * p[2] - h for _, p in B]
+        a, b = ([x * p[0] + y * p[1] + z * p[2] - h for p in case.at(s)] for s in (A, B))
         if not (max(a, default=0) <= 0 <= min(b, default=0) or max(b, default=0) <= 0 <= min(a, default=0)):
             return False
-        A, B = [q for q, v in zip(A, a) if not v], [q for q, v in zip(B, b) if not v]
-    return harmless(A) or harmless(B)
-
-def listed_planes(case, f, planes):
-    """The planes of a `sep` or `contact-sep` line as (n, h); None when a point's name does not exist."""
-    found = []
+        A, B = [t for t, value in zip(A, a) if not value], [t for t, value in zip(B, b) if not value]
+    return any(set(s) == common or len(s) == 1 and case.X[s[0]] in pinched for s in (A, B))
+def listed_planes(case, f, planes):  # as (n, h); a name that does not exist separates nothing
     for kind, points in planes:
-        if any(k == "s" and n not in case.N[n // 3] for k, n in points):
-            return None
-        a, b, *c = (case.G[n] if k == "g" else case.P[n] for k, n in points)
-        n = sub(b, a)
-        if kind != "n":
-            n = cross(n, sub(c[0], a)) if c else cross(n, case.planes[f][0])
-        found.append((n, dot(n, a)))
-    return found
+        need(all(p < 0 or p in case.N[p // 3] for p in points), "not-separated", "no such name")
+        a, b, *c = case.at(points)
+        n = sub(b, a) if kind == "n" else cross(sub(b, a), sub(c[0], a) if c else case.planes[f][0])
+        yield n, dot(n, a)
+def check_contacts(case, name, facts, certified):
+    """A is a mesh triangle, B one too, a bottom or top triangle, or a tet (`i2`, with its dot: {B: dot})."""
+    T, i2, k = [tuple(~v for v in f) for f in case.T.faces], name == "i2", 2 * (name == "disjoint-top")
+    layer = T if name == "disjoint-mesh" else [tuple(case.N[v][k] for v in f) for f in case.M.faces]
+    others = lambda f, j: {t: case.dot(f, x) for t, x in case.tets(j).items()} if i2 else {layer[j]: 0}
+    facts = [(f, j, *rest) if i2 else (f, j, layer[j], *rest) for f, j, *rest in facts]
+    for f, j, B, *rest in facts if not certified else ():
+        dots, (u, w), at = others(f, j), rest[:2], f"{f} {j}"
+        need(B in dots, "unknown-tet", at)
+        x, y = mix(case.corners[f], u), mix(case.at(B), w)
+        need(all(x[k] * y[3] == y[k] * x[3] for k in range(3)), "wrong-point", at)
+        need(not i2 or case.equals(dots[B], rest[2]), "wrong-value", at)
+        a, b = ({t for t, z in zip(*pair) if z} for pair in ((T[f], u), (B, w)))
+        need(dots[B] <= 0 and a != b and not (len(b) == 1 and b <= case.pins), "not-refuted", at)
+    if not certified: return
+    lines, meets, mesh_boxes = [{} for _ in T], [[] for _ in T], list(map(box, case.corners))
+    for f, j, B, planes in facts: lines[f][j, B] = planes
+    boxes = case.boxes if i2 else [box(case.at(B)) for B in layer]
+    for f, j in meeting(mesh_boxes, boxes, range(len(T)), range(len(boxes))): meets[f].append(j)
+    for f, A in enumerate(T):
+        wanted = set()  # what the plane of f and those of B, each alone, do not separate
+        for j in [j for j in meets[f] if not (layer is T and j <= f or i2 and case.clear(f, j))]:
+            for B in [B for B, value in others(f, j).items() if value <= 0 and meet(mesh_boxes[f], box(case.at(B)))]:
+                planes = itertools.chain([case.planes[f]], (plane(*case.at(x)) for x in itertools.combinations(B, 3)))
+                wanted |= set() if any(separates(case, [h], A, B) for h in planes) else {(j, B)}
+        for j, B in sorted({*wanted, *lines[f]}):
+            need((j, B) in wanted, "superfluous", f"{f} {j}")
+            need((j, B) in lines[f], "missing-separation", f"{f} {j}")
+            need(separates(case, listed_planes(case, f, lines[f][j, B]), A, B), "not-separated", f"{f} {j}")
 
-def pinched_rest(case, vertices):
-    pins = {case.P[3 * v] for v in vertices if v in case.pin}
-    return lambda rest: not rest or len(rest) == 1 and rest[0][1] in pins
-
-def check_disjoint(case, name, facts, certified):
-    layer, on_mesh = 2 * (name == "disjoint-top"), name == "disjoint-mesh"
-    G, P, T = case.G, case.P, case.T.faces
-    left = [[(v, G[v]) for v in f] for f in T]
-    right = left if on_mesh else [[(v, P[3 * v + layer]) for v in f] for f in case.M.faces]
-    if not certified:
-        for i, j, *w in facts:
-            x = case.mix([p for _, p in left[i]], w[:3])
-            need(case.same(x, case.mix([p for _, p in right[j]], w[3:])), "wrong-point", f"{i} {j}")
-            a, b = ({v for (v, _), z in zip(s, z3) if z} for s, z3 in ((left[i], w[:3]), (right[j], w[3:])))
-            need(a != b if on_mesh else len(b) > 1 or not b <= case.pin, "not-refuted", f"{i} {j}")
-        return
-    boxes = [box([p for _, p in s]) for s in right]
-    planes = [plane(*(p for _, p in s)) for s in right]
-    tree, listed = box_tree(boxes, list(range(len(boxes)))), {}
-    for (i, j), lines in facts:
-        listed.setdefault(i, {})[j] = lines
-    for i, A in enumerate(left):
-        lines, meets = listed.get(i, {}), set(meeting(tree, boxes, case.mesh_boxes[i]))
-        for j in sorted(meets.union(lines)):
-            if on_mesh and j <= i:
-                continue
-            need(j in meets, "superfluous", f"{i} {j}")
-            B, pair = right[j], f"{i} {j}"
-            common = {v for v, _ in A} & {v for v, _ in B}
-            harmless = (lambda rest: {v for v, _ in rest} == common) if on_mesh else \
-                pinched_rest(case, case.M.faces[j])
-            alone = separates([case.planes[i]], A, B, harmless) or separates([planes[j]], A, B, harmless)
-            need(not alone or j not in lines, "superfluous", pair)
-            need(alone or j in lines, "missing-separation", pair)
-            if not alone:
-                given = listed_planes(case, i, lines[j])
-                need(given is not None and separates(given, A, B, harmless), "not-separated", pair)
-
-def check_contacts(case, facts):
-    for f, prism, names, *w, value in facts:
-        at, tets = f"{f} {prism}", case.tets(prism)
-        need(names in tets, "unknown-tet", at)
-        x = case.mix([case.G[v] for v in case.T.faces[f]], w[:3])
-        need(case.same(x, case.mix([case.P[n] for n in names], w[3:])), "wrong-point", at)
-        need(case.equals(case.sign(f, tets[names]), value), "wrong-value", at)
-        used = {n // 3 for n, z in zip(names, w[3:]) if z}
-        pinched = sum(z > 0 for z in w[3:]) == 1 and used <= case.pin
-        need(case.sign(f, tets[names]) <= 0 and not pinched, "not-refuted", at)
-
-def check_apart(case, facts):
-    listed, boxes = {}, case.prism_boxes
-    for (f, prism, names), lines in facts:
-        listed.setdefault(f, {}).setdefault(prism, {})[names] = lines
-    tree = box_tree(boxes, list(range(len(boxes))))
-    for f, corners in enumerate(case.T.faces):
-        A = [(v, case.G[v]) for v in corners]
-        for prism in sorted({*meeting(tree, boxes, case.mesh_boxes[f]), *listed.get(f, ())}):
-            lines = listed.get(f, {}).get(prism, {})
-            open_tets = {} if case.clear(f, prism) else open_contacts(case, f, prism, A)
-            for names in sorted({*lines, *open_tets}):
-                at = f"{f} {prism} {names}"
-                need(names in open_tets, "superfluous", at)
-                need(names in lines, "missing-separation", at)
-                given = listed_planes(case, f, lines[names])
-                good = given is not None and separates(given, A, *open_tets[names])
-                need(good, "not-separated", at)
-
-def open_contacts(case, f, prism, A):
-    """{names: (points, harmless)} of the prism's tets that f may touch with a dot that is not positive."""
-    found = {}
-    for names, tet in case.tets(prism).items():
-        if case.sign(f, tet) <= 0:
-            B, harmless = [(n, case.P[n]) for n in names], pinched_rest(case, [n // 3 for n in names])
-            if meet(case.mesh_boxes[f], box([p for _, p in B])):
-                if not any(separates([h], A, B, harmless) for h in (case.planes[f], *case.faces(names))):
-                    found[names] = B, harmless
-    return found
-
-# ------------------------------------------------- all claims in order
+# ---- all claims in order
 def check_claims(case, cert):
-    order = cert.order or range(len(case.N))
-    claims, blocks = cert.claims, cert.blocks
-    S = case.decomposition(order) if "section" in claims else None
-    for name, verdict in claims.items():
-        certified = verdict == "certified"
-        if name == "positivity":
-            check_positivity(case, blocks.get(name))
-        elif name == "section" and certified:
-            K = Overlay(case, S, blocks["overlay"])
-        elif name == "section":
-            Witness(case, S, blocks["no-section"][1])
-        elif name == "section-all-orders" and certified:
-            check_all_orders(case, K)
-        elif "no-order" in blocks and name == "section-all-orders":
-            first, witness = blocks["no-order"]
-            others = dict.fromkeys(first + list(order))
-            Witness(case, case.decomposition(list(others)), witness)
-        elif name.startswith("disjoint"):
-            check_disjoint(case, name, blocks[name], certified)
-        elif name == "i2" and name in blocks:
-            (check_apart if certified else check_contacts)(case, blocks[name])
-
-def run(paths):
-    """The exit code and the text to print."""
+    order, blocks = cert.order or range(len(case.N)), cert.blocks
+    S, certified = case.decomposition(order), lambda name: cert.claims.get(name) == "certified"
+    if certified("positivity"): check_positive(case, map(case.tets, range(len(case.M.faces))))
+    for fact in blocks.get("positivity", ()): check_tet(case, fact, case.tets(fact[0]))
+    if "overlay" in blocks: K = check_overlay(case, S, *blocks["overlay"])
+    if "no-section" in blocks: check_witness(case, S, *blocks["no-section"][1])
+    if certified("section-all-orders"): check_all_orders(case, *K)
+    if "no-order" in blocks:
+        first, witness = blocks["no-order"]
+        check_witness(case, case.decomposition(dict.fromkeys([*first, *order])), *witness)
+    for name in CLAIMS[4:]:
+        if name in blocks: check_contacts(case, name, blocks[name], certified(name))
+def run(paths):  # the exit code and the text to print
     try:
-        need(paths, "usage", "check.py CERT INPUT...", "malformed")
-        if hasattr(sys, "set_int_max_str_digits"):
-            sys.set_int_max_str_digits(0)  # the grammar has limits of its own
-        data = read_file(paths[0], "usage")
-        need(data is not None, "size", "", "limit")
+        try: data = read_file(paths[0])
+        except OverflowError: raise Stop("limit", "size", "") from None
+        except (IndexError, OSError, ValueError): raise Stop("malformed", "usage", "check.py CERT INPUT...") from None
         cert = Certificate(data)
-        case = bind(cert, *read_inputs(paths[1:], cert.mesh is not None))
-        check_claims(case, cert)
+        check_claims(bind(cert, *sound_inputs(paths[1:], cert.mesh is not None)), cert)
         return 0, "\n".join(["valid"] + [f"{name} {verdict}" for name, verdict in cert.claims.items()])
     except Stop as stop:
         kind, code, why = stop.args
-        why = " : " + why.replace("\n", " ") if why else ""
-        return {"invalid": 1, "malformed": 2, "limit": 3}[kind], f"{kind} {code}{why}"
+        return ["", "invalid", "malformed", "limit"].index(kind), f"{kind} {code}" + (why and f" : {why}")
     except Exception as error:  # a last resort: never an answer, never `valid`
         return 3, f"limit internal : {type(error).__name__}"
 
 if __name__ == "__main__":
     status, answer = run(sys.argv[1:])
-    print(answer.encode("ascii", "backslashreplace").decode("ascii"))
+    print(answer)
     sys.exit(status)

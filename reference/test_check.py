@@ -16,8 +16,7 @@ from fractions import Fraction
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 import check  # noqa: E402
-import reading  # noqa: E402
-import shapes  # noqa: E402
+import inputs  # noqa: E402
 
 M4 = [(4, 4, 4), (4, -4, -4), (-4, 4, -4), (-4, -4, 4)]
 F4 = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -194,6 +193,16 @@ class Checks(unittest.TestCase):
         self.assertEqual(more(IDENTITY.replace("v 1 m1", "v 1 b1,m1")), "invalid outside-carrier")
         self.assertEqual(more(IDENTITY + "\nd middle 0 0"), "invalid degree-component")
 
+    def test_overlay_edge_in_a_cap(self):
+        """No edge between two pinched vertices; one pinched vertex is the control."""
+        mesh = (PRISM[0][1], PRISM[1])
+        pinch = lambda pins: ([[M3[v] if v in pins else p for v, p in enumerate(layer)] for layer in PRISM[0]], PRISM[1])
+        for pins, code in (((0,), "valid"), ((2,), "valid"), ((0, 1), "invalid cap"), ((1, 2), "invalid cap"), ((0, 2), "invalid cap")):
+            self.rejected(code, pinch(pins), mesh, ["section", "bijection"], [("overlay", IDENTITY)])
+        twice = IDENTITY.replace("c 0 1 2", "c 0 1 2\nc 1 2 0")  # an edge that is in a cap before any occurs twice
+        self.rejected("invalid cap", pinch((0, 1)), mesh, ["section", "bijection"], [("overlay", twice)])
+        self.rejected("invalid edge-twice", pinch((0,)), mesh, ["section", "bijection"], [("overlay", twice)])
+
     def test_overlay_with_inner_edges(self):
         """A mesh of four triangles around the middle of the edge that two prisms share."""
         mesh = (M2 + [(2, 2, 0)], [(0, 1, 4), (1, 3, 4), (3, 2, 4), (2, 0, 4)])
@@ -230,15 +239,12 @@ class Checks(unittest.TestCase):
         self.rejected("invalid missing-separation", TETRA, mesh, ALL, base + [("i2", "")])
         self.rejected("invalid superfluous", TETRA, mesh, ALL, base + [("i2", "contact-sep 0 0 b0,b1,b2,m2 n:g0,g1")])
         case = check.Case(*TETRA_INPUT)
-        case.prepare()
-        A = [(v, case.G[v]) for v in TETRA[1][0]]
-        prism = next(j for j in range(4) if check.open_contacts(case, 0, j, A) and not case.clear(0, j))
-        names = min(check.open_contacts(case, 0, prism, A))
+        prism, names = open_tet(case)
         tet = ",".join("bmt"[n % 3] + str(n // 3) for n in names)
         self.rejected("invalid not-separated", TETRA, mesh, ALL, base + [("i2", f"contact-sep 0 {prism} {tet} n:g0,g0")])
         shared = next(n for n in names if n % 3 == 1 and n // 3 in TETRA[1][0])
         left, right = [int(v == shared // 3) for v in TETRA[1][0]], [int(n == shared) for n in names]
-        dot, shift = case.sign(0, case.tets(prism)[names]), -3 * case.shift
+        dot, shift = case.dot(0, case.tets(prism)[names]), -3 * (case.unit.bit_length() - 1)
         while dot % 2 == 0:
             dot, shift = dot // 2, shift + 1
         value = f"{dot}*2^{shift}" if shift else str(dot)
@@ -263,10 +269,8 @@ class Checks(unittest.TestCase):
         for third, code in (((1, 2, 0.5), None), ((2, 1, 0.75), "all-orders"), ((2, 0.5, 0.5), "all-orders")):
             points = floats([(1, 1, 0.5), (2, 1, 0.5), third])
             case = check.Case([floats(x) for x in TWO[0]], TWO[1], points, [(0, 1, 2)])
-            case.prepare()
-            pieces = type("K", (), {"rim": [], "cells": [(0, 0, [[1, 0, 0], [0, 1, 0], [0, 0, 1]], None)]})
             try:
-                check.check_all_orders(case, pieces)
+                check.check_all_orders(case, [], [(0, 0, [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]])], [])
                 self.assertIsNone(code)
             except check.Stop as stop:
                 self.assertEqual(stop.args[1], code)
@@ -317,7 +321,8 @@ class Checks(unittest.TestCase):
         self.refute("valid", low, "root 0 1 0 0" + branch + "boundary")
         for reason in ("wall", "cap", "fold", "lands"):
             self.refute("invalid not-refuted", low, "root 0 1 0 0" + branch + reason)
-        self.refute("malformed syntax", low, "root 0 1 0 0" + branch + "twice")
+        for reason in ("twice", "reason", "cap 0"):
+            self.refute("malformed syntax", low, "root 0 1 0 0" + branch + reason)
         self.refute("invalid wrong-step", low, "root 0 1 0 0" + branch.replace("start " + tet, "start m0,m1,m2,t2") + "boundary")
         self.refute("invalid unknown-tet", low, "root 0 1 0 0" + branch.replace("start " + tet, "start b0,m0,m1,t1") + "boundary")
         self.refute("valid", low, f"root 0 1 1 1{branch[:-1]}\nstep 0 1 0 0 {tet}\nboundary")
@@ -363,12 +368,12 @@ class Checks(unittest.TestCase):
         self.rejected("invalid area-middle", PRISM, (M3, [(0, 2, 1)]), claims, [("overlay", IDENTITY.replace("1 2\nd", "2 1\nd"))])
 
     def test_size(self):
-        limit, good = reading.LIMIT, certificate(PRISM, None, ["positivity"], [])
+        limit, good = inputs.LIMIT, certificate(PRISM, None, ["positivity"], [])
         try:
-            for reading.LIMIT, code in ((len(good), "limit size"), (10 ** 6, "valid")):
+            for inputs.LIMIT, code in ((len(good), "limit size"), (10 ** 6, "valid")):
                 self.assertEqual(self.answer(good + " " * (code != "valid")), code)
         finally:
-            reading.LIMIT = limit
+            inputs.LIMIT = limit
 
     def test_damage_is_never_internal(self):
         """Random damage of accepted certificates ends with a code of the format."""
@@ -400,13 +405,13 @@ class Checks(unittest.TestCase):
                     text = "\n".join(lines)
                 self.assertNotIn("internal", self.answer(text, PRISM, mesh), text)
 
-    def test_one_point_by_definition(self):
+    def test_null_vector_by_definition(self):
         """Against the rank and the minors of the system, in fractions."""
         draw, seen = random.Random(2), {None: 0, True: 0}
         for _ in range(3000):
             n = draw.randint(2, 7)
             columns = [tuple(draw.randint(-2, 2) for _ in range(3)) + (draw.choice((1, -1)),) for _ in range(n)]
-            answer = check.one_point(columns)
+            answer = check.null_vector(columns)
             line = rank(columns) == n - 1
             self.assertEqual(answer is not None, line)
             seen[line or None] += 1
@@ -422,10 +427,10 @@ class Checks(unittest.TestCase):
         for _ in range(300):
             low = [draw.randint(0, 20) for _ in range(3)]
             boxes.append(tuple(low) + tuple(x + draw.randint(0, 4) for x in low))
-        tree = shapes.box_tree(boxes, list(range(300)))
-        for query in boxes:
+        found = [[j for i, j in check.meeting(boxes, boxes, range(300), range(300)) if i == k] for k in range(300)]
+        for query, met in zip(boxes, found):
             slow = [i for i, b in enumerate(boxes) if all(b[k] <= query[k + 3] and query[k] <= b[k + 3] for k in range(3))]
-            self.assertEqual(sorted(shapes.meeting(tree, boxes, query)), slow)
+            self.assertEqual(sorted(met), slow)
 
     def test_tets_by_definition(self):
         """In the straight unit prism all 24 tets are positive; each order's three fill a slab (volume 3 of 6 sixths)."""
@@ -445,25 +450,34 @@ class Checks(unittest.TestCase):
         for _ in range(400):
             ring = [(draw.randint(-3, 3), draw.randint(-3, 3)) for _ in range(6)]
             wedges = [(ring[k], ring[k + 1]) for k in (0, 2, 4) if turn(ring[k], ring[k + 1])]
-            fake = check.Witness.__new__(check.Witness)
             points = {0: (0, 0, 0), 1: (0, 0, 1)}
             tets = {}
             for k, (r, s) in enumerate(wedges):
                 names = (0, 1, 100 + 2 * k, 101 + 2 * k)
                 points[names[2]], points[names[3]] = r + (5,), s + (-7,)
                 order = names if turn(r, s) > 0 else names[:2] + names[:1:-1]
-                tets[names] = (order, 0, 0)
-            fake.case = type("C", (), {"P": points, "M": type("M", (), {"at": {0: [0]}}),
+                tets[names] = (order, 0)
+            case = type("C", (), {"at": lambda self, tags: [points[t] for t in tags], "M": type("M", (), {"at": {0: [0]}}),
                                        "volume": lambda self, t: check.det(*(points[n] for n in t[0]))})()
-            fake.S, fake.stars = [tets], {}
             rays = [r for w in wedges for r in w]
             samples = [(a + c, b + d) for a, b in rays for c, d in rays] + [(3 * a + c, 3 * b + d) for a, b in rays for c, d in rays]
             samples = [(9 * a + c, 9 * b + d) for a, b in samples for c, d in rays]
             inside = lambda x, w: all(turn(p, q) * turn(*w) > 0 for p, q in ((w[0], x), (x, w[1])))
             overlap = any(sum(inside(x, w) for w in wedges) > 1 for x in samples)
-            self.assertEqual(fake.injective_star((0, 1)), not overlap, wedges)
+            self.assertEqual(check.injective_star(case, [tets], (0, 1)), not overlap, wedges)
             seen.add(overlap)
         self.assertEqual(len(seen), 2)
+
+
+def open_tet(case):
+    """A prism and the least of its tets that mesh triangle 0 may touch, by the definition in section 3.6."""
+    A = [~v for v in case.T.faces[0]]
+    for prism in range(len(case.M.faces)):
+        for names, tet in sorted(case.tets(prism).items()):
+            planes = [case.planes[0]] + [check.plane(*case.at(x)) for x in itertools.combinations(names, 3)]
+            if case.dot(0, tet) <= 0 and check.meet(check.box(case.at(A)), check.box(case.at(names))):
+                if not any(check.separates(case, [h], A, list(names)) for h in planes) and not case.clear(0, prism):
+                    return prism, names
 
 
 def turn(a, b):
