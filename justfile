@@ -16,13 +16,21 @@ check:
     cargo clippy --workspace --all-targets -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
 
-# Measurements
+# Measurements, side by side with other programs; writes benches/RESULTS.md
 bench:
-    cargo bench --workspace
+    benches/compare.sh
+
+# Certify every real shell and check it with both checkers (needs the data)
+verify-shells:
+    reference/verify_shells.sh
 
 # Fuzz one target for a minute (needs cargo-fuzz and a nightly toolchain)
-fuzz target="parse":
-    cd fuzz && cargo +nightly fuzz run {{target}} -- -max_total_time=60
+fuzz target="certificate":
+    cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time=60
+
+# A long run of random small shells against the brute-force oracle
+campaign cases="50000":
+    HOMEO_CASES={{cases}} cargo test --release -p homeo-proptests --test verdicts
 
 # Compare counts with CGAL's on real shells (needs CGAL and the data)
 cross-validate:
