@@ -186,19 +186,18 @@ def check_all_orders(case, K):
         corners = [case.G[v] for v in case.T.faces[f]]
         for side in (None,) + case.M.sides(j):
             q = j if side is None else case.M.edge.get(side[::-1])
-            if q is None or case.clear(f, q):
+            if q is not None and case.clear(f, q):
                 continue
             pieces = [[r[0], r[i], r[i + 1]] for i in range(1, len(r) - 1)]
             if side:
                 walls = [{*case.N[side[0]][s:s + 2], *case.N[side[1]][s:s + 2]} for s in (0, 1)]
                 walls = [x for x in walls if len(x) == 4 and det(*(case.P[n] for n in x))]
                 pieces = [clip(p, case.faces(x), corners) for x in map(list, walls) for p in pieces]
-            for tet in case.tets(q).values():
-                if case.sign(f, tet) <= 0:
-                    for piece in pieces:
-                        p = clip(piece, case.faces(tet[0]), corners)
-                        flat = all(not det3(p[0], p[i], p[i + 1]) for i in range(1, len(p) - 1))
-                        need(flat, "all-orders", f"cell {number}, prism {q}")
+            steep = [] if q is None else [t[0] for t in case.tets(q).values() if case.sign(f, t) <= 0]
+            # At a boundary side no prism takes over what is in the wall tets.
+            parts = pieces if q is None else [clip(p, case.faces(t), corners) for t in steep for p in pieces]
+            flat = all(not det3(p[0], p[i], p[i + 1]) for p in parts for i in range(1, len(p) - 1))
+            need(flat, "all-orders", f"cell {number}, prism {j if q is None else q}")
 
 # ------------------------------------------------- section 3.4: the no-lift witness
 class Witness:
