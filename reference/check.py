@@ -351,12 +351,14 @@ def check_all_orders(case, points, cells, rim):
     for (f, j, rows), side in itertools.product(cells, range(-1, 3)):  # 3.3.2
         corners, across = case.corners[f], sides(*case.M.faces[j])[side] if side >= 0 else ()
         q = case.M.edge.get(across[::-1]) if across else j
-        if q is not None and not case.clear(f, q):
-            tets = [x for x in walls(*across) if volume(x)] if across else []
-            pieces = [cut(case, p, x, corners) for x in tets for p in rows] if across else rows
-            for names in [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]:
-                flat = (not any(det3(*t) for t in fan(cut(case, p, names, corners))) for p in pieces)
-                need(all(flat), "all-orders", f"triangle {f}, prism {q}")
+        if q is not None and case.clear(f, q): continue
+        tets = [x for x in walls(*across) if volume(x)] if across else []
+        parts = [cut(case, p, x, corners) for x in tets for p in rows] if across else rows
+        if q is not None:  # else a boundary side: no prism takes over what stands in its wall tets
+            steep = [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]
+            parts = [cut(case, p, names, corners) for names in steep for p in parts]
+        need(not any(det3(*t) for p in parts for t in fan(p)), "all-orders", f"triangle {f}, prism {j}")
+
 
 # ---- section 3.4: the no-lift witness; a tet here is (names in positive order, V)
 def check_witness(case, S, word, facts):

@@ -20,6 +20,18 @@ pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
         let cell = &overlay.cells[i];
         let [f, home] = cell.home;
         let sides = complex::sides(world.shell.triangles[home]);
+        // Behind a boundary side is no prism that takes over what the flipped wall gives away.
+        for (u, w) in sides.into_iter().filter(|&(u, w)| world.shell.across(u, w).is_none()) {
+            let walls = [0, 1].map(|slab| wall(world, u, w, slab));
+            let bad =
+                overlay.pieces(cell).iter().any(|p| walls.iter().any(|w| has_area(&clip(world, f, *w, p))));
+            ensure!(
+                !bad,
+                "all-orders",
+                "line {}: prism {home}, wall of the boundary edge {u} {w}",
+                cell.line
+            );
+        }
         let across = sides.into_iter().filter_map(|(u, w)| Some((world.shell.across(u, w)?, Some((u, w)))));
         for (prism, side) in std::iter::once((home, None)).chain(across) {
             if world.rises(f, prism) {

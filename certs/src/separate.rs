@@ -63,21 +63,30 @@ impl Pair<'_> {
 
     /// Whether each plane has what remains of `a` on one closed side and of `b` on the other, and the remainder is harmless.
     fn separate(&self, planes: &[Plane], a: &[usize], b: &[usize]) -> bool {
-        let Some((plane, others)) = planes.split_first() else { return self.harmless(a) || self.harmless(b) };
-        // A triangle and a tet have at most four points; a missing one counts as one on the plane.
-        let sides = |points: &[usize]| -> [i32; 4] {
-            std::array::from_fn(|i| points.get(i).map_or(0, |&x| self.side(plane, x)))
-        };
-        let of_a = sides(a);
-        if of_a.contains(&1) && of_a.contains(&-1) {
-            return false;
+        // A loop, since a line may have any number of planes.
+        let (mut a, mut b) = (a.to_vec(), b.to_vec());
+        for plane in planes {
+            // A triangle and a tet have at most four points; a missing one counts as one on the plane.
+            let sides = |points: &[usize]| -> [i32; 4] {
+                std::array::from_fn(|i| points.get(i).map_or(0, |&x| self.side(plane, x)))
+            };
+            let of_a = sides(&a);
+            if of_a.contains(&1) && of_a.contains(&-1) {
+                return false;
+            }
+            let of_b = sides(&b);
+            let apart = |s: i32| !of_a.contains(&-s) && !of_b.contains(&s);
+            if !apart(1) && !apart(-1) {
+                return false;
+            }
+            let stay = |points: &mut Vec<usize>, sides: [i32; 4]| {
+                let mut sides = sides.into_iter();
+                points.retain(|_| sides.next() == Some(0));
+            };
+            stay(&mut a, of_a);
+            stay(&mut b, of_b);
         }
-        let of_b = sides(b);
-        let apart = |s: i32| !of_a.contains(&-s) && !of_b.contains(&s);
-        let rest = |points: &[usize], sides: [i32; 4]| -> Vec<usize> {
-            points.iter().zip(sides).filter(|(_, side)| *side == 0).map(|(&x, _)| x).collect()
-        };
-        (apart(1) || apart(-1)) && self.separate(others, &rest(a, of_a), &rest(b, of_b))
+        self.harmless(&a) || self.harmless(&b)
     }
 
     /// Whether the plane of `i` or that of a face of `b` separates on its own.

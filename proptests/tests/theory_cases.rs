@@ -150,3 +150,23 @@ fn regular_tetrahedron_has_c3_but_not_i2() {
         compare(&case).unwrap();
     }
 }
+
+/// A triangle that stands in the wall tet of a boundary edge, where its dots are positive: the order that flips the wall
+/// leaves it outside. By vertex id there is a section.
+#[test]
+fn a_boundary_wall_that_cuts_the_mesh_off() {
+    let shell = Shell {
+        bottom: vec![[0., 0., -1.], [4., 0., -1.], [2., 4., -1.]],
+        middle: vec![[0., 0., 0.], [4., 0., 0.], [2., 4., 0.]],
+        top: vec![[0., 1., 1.], [4., -1., 1.], [2., 4., 1.]],
+        faces: vec![[0, 1, 2]],
+    };
+    let mut mesh = middle(&shell);
+    mesh.vertices.push([2., 0., 0.125]);
+    mesh.faces = vec![[0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let case = case(shell, mesh);
+    let outcome = decide(&case);
+    assert!(holds(&outcome, Claim::Section));
+    assert!(!holds(&outcome, Claim::SectionAllOrders));
+    compare(&case).unwrap();
+}

@@ -49,9 +49,10 @@ impl std::ops::AddAssign for Stats {
     }
 }
 
-/// A piece that meets a tet of another order in the wrong direction.
+/// A piece that meets a tet of another order in the wrong direction, or leaves the shell in it.
 struct Conflict {
-    tet: Tet,
+    /// Vertices that come first in an order under which it happens.
+    first: Vec<u32>,
     point: MeshPoint,
 }
 
@@ -66,17 +67,17 @@ pub(crate) fn decide(
     if let Some(first) = lifts.iter().find_map(|lift| open_wall(&cx, lift, order)) {
         return refute(&cx, first, order, None, observer);
     }
+    let ranks = order.ranks(cx.complex.shell.middle.len());
     for lift in lifts {
         let pieces: Vec<u32> = (0..lift.pieces.len() as u32).collect();
         let parts: Vec<Result<(Stats, Option<Conflict>), CertifyError>> =
-            pieces.par_chunks(BATCH).map(|chunk| batch(&cx, lift, chunk, observer)).collect();
+            pieces.par_chunks(BATCH).map(|chunk| batch(&cx, lift, chunk, &ranks, observer)).collect();
         // The first conflict in the order of pieces, whichever thread was faster.
         for part in parts {
             let (found, conflict) = part?;
             stats += found;
             if let Some(conflict) = conflict {
-                let first = occurs_in(&conflict.tet, cx.complex);
-                return refute(&cx, first, order, Some(&conflict.point), observer);
+                return refute(&cx, conflict.first, order, Some(&conflict.point), observer);
             }
         }
     }
@@ -90,6 +91,7 @@ fn batch(
     cx: &Lifting<'_>,
     lift: &Lift,
     pieces: &[u32],
+    ranks: &[u32],
     observer: &dyn Observer,
 ) -> Result<(Stats, Option<Conflict>), CertifyError> {
     let mut stats = Stats::default();
@@ -97,7 +99,11 @@ fn batch(
         return Err(CertifyError::Cancelled);
     }
     for &piece in pieces {
-        if let Some(conflict) = piece_conflict(cx, lift, piece, &mut stats)? {
+        let found = match cut_off(cx, lift, piece, ranks)? {
+            None => piece_conflict(cx, lift, piece, &mut stats)?,
+            conflict => conflict,
+        };
+        if let Some(conflict) = found {
             return Ok((stats, Some(conflict)));
         }
     }
@@ -193,8 +199,38 @@ fn piece_conflict(
                 if has_area(&common)
                     && let Some(weights) = centre(&common)
                 {
-                    return Ok(Some(Conflict { tet, point: MeshPoint { face: record.face, weights } }));
+                    let point = MeshPoint { face: record.face, weights };
+                    return Ok(Some(Conflict { first: occurs_in(&tet, cx.complex), point }));
                 }
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// A part of a piece in a wall tet behind which is no prism: the order that flips the wall cuts it off the shell.
+fn cut_off(
+    cx: &Lifting<'_>,
+    lift: &Lift,
+    piece: u32,
+    ranks: &[u32],
+) -> Result<Option<Conflict>, CertifyError> {
+    let record = lift.pieces[piece as usize];
+    let tet = &cx.complex.tets[record.tet as usize];
+    let sides = (0..3).map(|i| Side::new(tet.prism, i));
+    for side in sides.filter(|side| cx.complex.middle.mate(*side).is_none()) {
+        let [u, w] = cx.complex.middle.ends(side);
+        let polygon = exact_polygon(cx, lift, piece)?;
+        for part in wall_parts(cx, cx.mesh.points(record.face), &polygon, [u, w]) {
+            if has_area(&part)
+                && let Some(weights) = centre(&part)
+            {
+                // The wall's diagonal runs from the smaller vertex; turn it.
+                let first = if ranks[u as usize] < ranks[w as usize] { [w, u] } else { [u, w] };
+                return Ok(Some(Conflict {
+                    first: first.to_vec(),
+                    point: MeshPoint { face: record.face, weights },
+                }));
             }
         }
     }
