@@ -126,7 +126,8 @@ impl<'a> Line<'a> {
 
     /// All ids that are left, at least one, none twice.
     pub(crate) fn distinct_ids(&mut self, bound: usize) -> Res<Vec<usize>> {
-        let mut ids = vec![self.id(bound)?];
+        let mut ids = Vec::with_capacity(4);
+        ids.push(self.id(bound)?);
         while self.more() {
             ids.push(self.id(bound)?);
         }
