@@ -8,7 +8,7 @@ pub(crate) struct Complex {
     /// Directed edge to its one triangle.
     edges: Map<(usize, usize), usize>,
     /// Ascending corners to the triangle.
-    sets: Map<Vec<usize>, usize>,
+    sets: Map<[usize; 3], usize>,
     /// Vertices of triangles.
     used: Set<usize>,
     /// Vertices of boundary edges.
@@ -53,16 +53,16 @@ impl Complex {
     pub(crate) fn new(triangles: Vec<[usize; 3]>, code: &'static str) -> Res<Self> {
         let (mut edges, mut sets) = (Map::default(), Map::default());
         for (i, &t) in triangles.iter().enumerate() {
-            let set = distinct(t);
-            ensure!(set.len() == 3, code, "triangle {i} repeats a vertex");
+            let mut set = t;
+            set.sort_unstable();
+            ensure!(set.is_sorted_by(|a, b| a < b), code, "triangle {i} repeats a vertex");
             ensure!(sets.insert(set, i).is_none(), code, "triangle {i} has the vertices of an earlier one");
             for side in sides(t) {
                 ensure!(edges.insert(side, i).is_none(), code, "triangle {i}: edge {side:?} is used twice");
             }
         }
         let used: Set<usize> = triangles.iter().flatten().copied().collect();
-        let mut complex =
-            Self { triangles, edges, sets, used, rim: Set::default(), part: Vec::new(), parts: 0 };
+        let mut complex = Self { triangles, edges, sets, used, rim: Set::default(), part: vec![], parts: 0 };
         // At each vertex all triangles are connected through shared edges: united corners, two for each edge.
         let corner = |t: usize, v: usize| {
             3 * t + usize::from(complex.triangles[t][1] == v) + 2 * usize::from(complex.triangles[t][2] == v)
@@ -92,7 +92,7 @@ impl Complex {
 
     /// The triangle with exactly these corners, ascending.
     pub(crate) fn with_corners(&self, ids: &[usize]) -> Option<usize> {
-        self.sets.get(ids).copied()
+        self.sets.get::<[usize; 3]>(ids.try_into().ok()?).copied()
     }
 
     /// Whether the ascending ids are a vertex in use, an edge or a triangle.

@@ -157,7 +157,7 @@ impl<'a> Lift<'a> {
         let point = |at: &At| primitive(world.corners(at.triangle), &at.weights);
         let at_one_point = || ends.iter().all(|other| point(other.at) == point(end.at));
         match (reason, ends) {
-            ("cap", _) => world.in_cap(&end.carrier),
+            ("cap", _) => world.in_cap(&[&end.carrier]),
             ("wall", _) => wall && !rim,
             ("boundary", _) => rim && !wall,
             ("fold", _) => on_mesh.len() == 3 && steep() && (end.carrier.len() == 4 || flat()),

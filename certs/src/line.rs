@@ -53,6 +53,7 @@ pub(crate) struct Bounds {
 pub(crate) struct Line<'a> {
     pub(crate) at: usize,
     pub(crate) bounds: Bounds,
+    pub(crate) text: &'a str,
     tokens: Peekable<Split<'a, char>>,
     too_long: bool,
     out_of_range: Option<usize>,
@@ -65,7 +66,7 @@ fn is_number(text: &str) -> bool {
 
 impl<'a> Line<'a> {
     pub(crate) fn new(text: &'a str, at: usize, bounds: Bounds) -> Self {
-        Self { at, bounds, tokens: text.split(' ').peekable(), too_long: false, out_of_range: None }
+        Self { at, bounds, text, tokens: text.split(' ').peekable(), too_long: false, out_of_range: None }
     }
 
     pub(crate) fn syntax<T>(&self) -> Res<T> {
@@ -125,12 +126,14 @@ impl<'a> Line<'a> {
 
     /// All ids that are left, at least one, none twice.
     pub(crate) fn distinct_ids(&mut self, bound: usize) -> Res<Vec<usize>> {
-        let mut ids = vec![self.id(bound)?];
+        let mut ids = Vec::with_capacity(4);
+        ids.push(self.id(bound)?);
         while self.more() {
             ids.push(self.id(bound)?);
         }
-        let sorted = crate::complex::distinct(ids.iter().copied());
-        self.require(sorted.len() == ids.len())?;
+        let few = ids.len() < 9;
+        let once = few && (1..ids.len()).all(|i| !ids[..i].contains(&ids[i]));
+        self.require(once || !few && crate::complex::distinct(ids.iter().copied()).len() == ids.len())?;
         Ok(ids)
     }
 

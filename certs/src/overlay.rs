@@ -42,16 +42,13 @@ pub(crate) struct Overlay<'a> {
 
 type Rim = (usize, Vec<usize>, Vec<usize>);
 
-/// The mesh, the shell.
-const SIDES: [usize; 2] = [0, 1];
-
 impl<'a> Overlay<'a> {
     pub(crate) fn check(world: &World, selected: &Selected, facts: &'a Facts) -> Res<Self> {
         ensure!(selected.tets.iter().all(|t| t.positive), "not-positive", "a tet of the order");
         let corners = all(&facts.corners, |(line, ids, names)| {
             ensure!(world.mesh.is_simplex(ids), "mesh-carrier", "line {line}");
             ensure!(selected.holding(names).next().is_some(), "shell-carrier", "line {line}");
-            ensure!(!world.in_cap(names), "cap", "line {line}");
+            ensure!(!world.in_cap(&[names]), "cap", "line {line}");
             meet(world, *line, ids, names)
         })?;
         let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
@@ -101,14 +98,14 @@ impl<'a> Overlay<'a> {
         let mut edges = Set::default();
         for (line, edge) in directed() {
             ensure!(edges.insert(edge), "edge-twice", "line {line}: corners {edge:?}");
-            let names = [edge.0, edge.1].map(|x| self.corners[x].names).concat();
+            let names = [edge.0, edge.1].map(|x| self.corners[x].names);
             ensure!(!world.in_cap(&names), "cap", "line {line}: corners {edge:?}");
         }
         let mut boundary = Vec::new();
         for (line, (a, b)) in directed().filter(|(_, (a, b))| !edges.contains(&(*b, *a))) {
             let ends = [a, b].map(|x| &self.corners[x]);
             let [on_mesh, ids] =
-                SIDES.map(|side| distinct(ends.map(|c| c.weights[side].ids.clone()).concat()));
+                [0, 1].map(|side| distinct(ends.map(|c| c.weights[side].ids.clone()).concat()));
             let on_both = world.mesh.on_boundary(on_mesh) && world.shell.on_boundary(ids.iter().copied());
             ensure!(on_both, "boundary", "line {line}: corners {a} {b}");
             boundary.push((line, ids, ends.map(|c| c.names).concat()));
@@ -117,13 +114,13 @@ impl<'a> Overlay<'a> {
     }
 
     fn check_degree(&self, world: &World, facts: &Facts) -> Res {
-        for side in SIDES {
+        for side in [0, 1] {
             let complex = [&world.mesh, &world.shell][side];
             let named = facts.degree[side].iter().map(|d| complex.part[self.cells[d.1].home[side]]);
             ensure!(named.eq(0..complex.parts), "degree-component", "not one `d` line a component");
         }
         for (side, &(line, named, fan)) in
-            SIDES.iter().flat_map(|&s| facts.degree[s].iter().map(move |d| (s, d)))
+            [0, 1].into_iter().flat_map(|s: usize| facts.degree[s].iter().map(move |d| (s, d)))
         {
             let named = &self.cells[named];
             let Some(triangle) = fans(named.corners).nth(fan) else { continue };

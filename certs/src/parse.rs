@@ -289,7 +289,8 @@ impl<'a> Parser<'a> {
             let ids = line.mesh_ids()?;
             let names = line.names()?;
             line.finish()?;
-            if !seen.insert((ids.clone(), names.clone())) {
+            // What fits the grammar is written in one way only.
+            if !seen.insert(line.text) {
                 return malformed("duplicate", format!("line {} repeats an earlier one", line.at));
             }
             Ok((line.at, ids, names))

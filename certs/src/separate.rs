@@ -43,6 +43,7 @@ impl Pair<'_> {
         let normal = || cross(&world.offset([p, q]), &world.offset([p, r]));
         match *plane {
             Plane::Through(points) => world.side(points, x),
+            Plane::Line(ends) if ends.contains(&x) => 0,
             Plane::Line(ends @ [a, _]) => {
                 sgn(&dot(&cross(&world.offset(ends), &normal()), &world.offset([a, x])))
             }
@@ -127,12 +128,12 @@ pub(crate) fn disjoint(world: &World, other: Other, lines: &[Separation]) -> Res
             open.retain(|b| Aabb::of(&world.keys, b).meets(&bounds) && !pair(b).separate_alone());
             // In the order of names; a pair of triangles has at most one line.
             for (line, names) in &listed {
-                let at = format!("line {}: triangle {i} and {j}", line.line);
+                let at = || format!("line {}: triangle {i} and {j}", line.line);
                 let missed = open.first().is_some_and(|b| **b < names[..]);
-                ensure!(!missed, "missing-separation", "before {at}: {}", show(open[0]));
-                ensure!(open.first() == Some(&&names[..]), "superfluous", "{at}");
+                ensure!(!missed, "missing-separation", "before {}: {}", at(), show(open[0]));
+                ensure!(open.first() == Some(&&names[..]), "superfluous", "{}", at());
                 let exist = line.planes.iter().all(|plane| plane.points().iter().all(|&x| world.exists(x)));
-                ensure!(exist && pair(names).separate(&line.planes, &a, names), "not-separated", "{at}");
+                ensure!(exist && pair(names).separate(&line.planes, &a, names), "not-separated", "{}", at());
                 open.remove(0);
             }
             ensure!(open.is_empty(), "missing-separation", "triangle {i} and {j}: {}", show(open[0]));

@@ -38,8 +38,7 @@ pub(crate) fn all(world: &World, prism: usize) -> Vec<Tet> {
         let [lo, hi] = [slab, slab + 1].map(|layer| corners.map(|v| world.name(v, layer)));
         for carried in (0..3).filter(|&c| lo[c] != hi[c]) {
             // The lower ends up to the carried pillar, the upper ends from there on.
-            let listed = [&lo[..=carried], &hi[carried..]].concat();
-            let Ok(mut names) = Names4::try_from(listed) else { continue };
+            let mut names: Names4 = std::array::from_fn(|i| if i <= carried { lo[i] } else { hi[i - 1] });
             let greater = |i: usize, j: usize| usize::from(names[i] > names[j]);
             let inversions = (0..4).flat_map(|j| (0..j).map(move |i| (i, j))).map(|(i, j)| greater(i, j));
             let odd = (inversions.sum::<usize>() + usize::from(i >= 3) + carried) % 2 == 1;

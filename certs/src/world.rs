@@ -128,9 +128,10 @@ impl World {
     }
 
     /// Whether all names are `t` or pinched, or all `b` or pinched, except a single pinched name.
-    pub(crate) fn in_cap(&self, names: &[usize]) -> bool {
+    pub(crate) fn in_cap(&self, names: &[&[usize]]) -> bool {
+        let names = || names.iter().copied().flatten();
         let pinched = |&n: &usize| n % 3 == 1 && self.pinched[n / 3];
-        let cap = |layer: usize| names.iter().all(|n| n % 3 == layer || pinched(n));
-        (cap(0) || cap(2)) && !(names.len() == 1 && names.iter().all(pinched))
+        let cap = |layer: usize| names().all(|n| n % 3 == layer || pinched(n));
+        (cap(0) || cap(2)) && !(names().count() == 1 && names().all(pinched))
     }
 }
