@@ -1,0 +1,143 @@
+//! The order of operations (*Shell* section 3.4, "Scheduling and Termination"), and when to stop.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::time::{Duration, Instant};
+
+use super::collapse::collapse;
+use super::flip::flip;
+use super::invariants::Judge;
+use super::limits::{Limits, distance};
+use super::smooth::{pan, rotate, zoom};
+use super::state::State;
+use crate::certify::Observer;
+
+/// Asks now and then whether to go on.
+pub(crate) struct Stop<'a> {
+    observer: &'a dyn Observer,
+    until: Option<Instant>,
+    calls: u64,
+    stopped: bool,
+}
+
+impl<'a> Stop<'a> {
+    pub(crate) fn new(observer: &'a dyn Observer, limit: Option<Duration>) -> Self {
+        let until = limit.and_then(|l| Instant::now().checked_add(l));
+        Self { observer, until, calls: 0, stopped: false }
+    }
+
+    /// Stop before the next operation?
+    fn now(&mut self) -> bool {
+        if self.calls.is_multiple_of(16) && !self.stopped {
+            self.stopped = self.observer.cancelled() || self.until.is_some_and(|t| Instant::now() >= t);
+            self.observer.advance(16);
+        }
+        self.calls += 1;
+        self.stopped
+    }
+
+    pub(crate) fn stopped(&self) -> bool {
+        self.stopped
+    }
+}
+
+/// How many operations were made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Edge collapses.
+    pub collapses: u64,
+    /// Edge flips.
+    pub flips: u64,
+    /// Pans, zooms and rotations.
+    pub moves: u64,
+    /// Rounds of the outer loop.
+    pub rounds: u64,
+}
+
+/// Everything that the schedule works with.
+pub(crate) struct Work<'a> {
+    pub(crate) state: State,
+    pub(crate) judge: Judge<'a>,
+    pub(crate) limits: Limits,
+    pub(crate) counts: Counts,
+}
+
+impl Work<'_> {
+    /// The outer loop, then the polishing rounds.
+    pub(crate) fn run(&mut self, polish: usize, stop: &mut Stop<'_>) {
+        stop.observer.stage("coarsening", None);
+        loop {
+            let before = self.state.live;
+            self.flips(stop);
+            self.smooth(stop);
+            self.collapses(stop);
+            self.counts.rounds += 1;
+            // Less than 0.01 % fewer.
+            if stop.stopped() || (before - self.state.live) * 10_000 < before {
+                break;
+            }
+        }
+        stop.observer.stage("polishing", None);
+        for _ in 0..polish {
+            if stop.stopped() {
+                break;
+            }
+            self.flips(stop);
+            self.smooth(stop);
+        }
+    }
+
+    fn flips(&mut self, stop: &mut Stop<'_>) {
+        for edge in self.state.edges() {
+            if stop.now() {
+                return;
+            }
+            self.counts.flips += u64::from(flip(&mut self.state, &self.judge, edge));
+        }
+    }
+
+    fn smooth(&mut self, stop: &mut Stop<'_>) {
+        for v in 0..u32::try_from(self.state.pillars.len()).unwrap_or(u32::MAX) {
+            if self.state.star[v as usize].is_empty() || self.state.is_frozen(v) {
+                continue;
+            }
+            if stop.now() {
+                return;
+            }
+            let moves = [
+                pan(&mut self.state, &self.judge, v),
+                zoom(&mut self.state, &self.judge, &self.limits, v),
+                rotate(&mut self.state, &self.judge, v),
+            ];
+            self.counts.moves += moves.iter().filter(|m| **m).count() as u64;
+        }
+    }
+
+    /// Shortest edges first; edges around a new vertex join the queue.
+    fn collapses(&mut self, stop: &mut Stop<'_>) {
+        let mut queue: BinaryHeap<Reverse<(u64, [u32; 2])>> =
+            self.state.edges().into_iter().map(|e| Reverse((self.length(e), e))).collect();
+        while let Some(Reverse((length, edge))) = queue.pop() {
+            if stop.now() {
+                return;
+            }
+            if self.state.edge(edge[0], edge[1]).is_empty() || self.length(edge) != length {
+                continue;
+            }
+            if let Some(stays) = collapse(&mut self.state, &self.judge, &self.limits, edge) {
+                self.counts.collapses += 1;
+                for w in self.state.neighbours(stays) {
+                    let edge = [stays.min(w), stays.max(w)];
+                    queue.push(Reverse((self.length(edge), edge)));
+                }
+            }
+        }
+    }
+
+    /// The edge's length as a number that sorts like it.
+    fn length(&self, edge: [u32; 2]) -> u64 {
+        let [p, q] = edge.map(|v| self.state.pillars[v as usize].middle);
+        // The bits of numbers that are not negative ascend with them.
+        distance(&p, &q).abs().to_bits()
+    }
+}
