@@ -1,5 +1,5 @@
 //! Build, optimise and certify a shell around a mesh:
-//! `cargo run --release --example build_shell -- mesh.off [--thickness 0.05] [--angle 89.94] [-o shell.h5]`.
+//! `cargo run --release --example build_shell -- mesh.off [--thickness 0.05] [--angle 89.94] [-o shell.h5] [--compare other.h5]`.
 
 use std::path::Path;
 use std::time::Instant;
@@ -59,6 +59,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     println!();
+    if let Some(other) = option("--compare") {
+        let file = hdf5::read(Path::new(other))?;
+        let unit = file.mesh.map_or(1.0, |m| longest_box_edge(&m.vertices));
+        let [min, mean] = thickness(&file.shell, unit);
+        println!("{other}: {} prisms, thickness min {min:.5} mean {mean:.5}", file.shell.faces.len());
+    }
     if let Some(out) = option("-o") {
         write(Path::new(out), &built.shell, &mesh)?;
     }

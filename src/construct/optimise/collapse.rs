@@ -3,41 +3,70 @@
 use super::cast::middle;
 use super::energy::mips;
 use super::invariants::Judge;
-use super::limits::Limits;
+use super::limits::{Limits, distance};
+use super::smooth::{direction, with_lengths};
 use super::prism::{Pillar, Prism};
 use super::state::{Change, State};
 
-/// Collapses the edge if some place for the new pillar keeps all invariants and rules. Returns the vertex that stays.
+/// The shares of their length that a new pillar's halves are tried with. A thinner column fits in where a thick one
+/// folds; zooming makes it thicker later.
+const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
+
+/// A collapse that the rules allow.
+struct Proposal {
+    /// The largest energy of its middle triangles.
+    energy: f64,
+    /// The vertex that stays.
+    stays: u32,
+    change: Change,
+}
+
+/// Collapses the edge if some new pillar keeps all invariants and rules. Returns the vertex that stays.
 pub(crate) fn collapse(state: &mut State, judge: &Judge<'_>, limits: &Limits, [u, w]: [u32; 2]) -> Option<u32> {
     if !topology_allows(state, u, w) {
         return None;
     }
-    // Energy, the vertex that stays, the change.
-    let mut options: Vec<(f64, u32, Change)> = Vec::with_capacity(3);
-    let mut offer = |stays: u32, change: Change| {
-        if !one_pinched_at_most(state, &change) {
-            return;
-        }
-        if let Some(energy) = admissible_energy(state, limits, &change) {
-            options.push((energy, stays, change));
-        }
-    };
-    if !state.is_frozen(u) && !state.is_frozen(w) {
-        let pillar = halfway(judge, limits, &state.pillars[u as usize], &state.pillars[w as usize]);
-        if pillar.is_finite() {
-            offer(w, onto(state, u, w, Some(pillar)));
+    let halfway = (!state.is_frozen(u) && !state.is_frozen(w))
+        .then(|| halfway(judge, limits, &state.pillars[u as usize], &state.pillars[w as usize]));
+    for share in SHARES {
+        let mut options = proposals(state, limits, [u, w], halfway.as_ref(), share);
+        options.sort_by(|a, b| a.energy.total_cmp(&b.energy));
+        if let Some(chosen) = options.into_iter().find(|o| judge.admits(state, &o.change)) {
+            state.apply(&chosen.change);
+            return Some(chosen.stays);
         }
     }
+    None
+}
+
+/// The collapses onto the halfway pillar and onto both ends, with halves of a share of their length.
+fn proposals(
+    state: &State,
+    limits: &Limits,
+    [u, w]: [u32; 2],
+    halfway: Option<&Pillar>,
+    share: f64,
+) -> Vec<Proposal> {
+    let whole = share >= 1.0;
+    let mut changes: Vec<(u32, Change)> = Vec::with_capacity(3);
+    changes.extend(halfway.map(|p| (w, onto(state, u, w, Some(p.scaled(share))))));
     for (from, to) in [(u, w), (w, u)] {
-        if !state.is_frozen(from) {
-            offer(to, onto(state, from, to, None));
+        // A pillar that keeps its length keeps its rounded points, too.
+        let pillar = (!whole).then(|| state.pillars[to as usize].scaled(share));
+        if !state.is_frozen(from) && (whole || !state.is_frozen(to)) {
+            changes.push((to, onto(state, from, to, pillar)));
         }
     }
-    options.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (_, stays, change) =
-        options.into_iter().find(|(_, _, change)| judge.admits(&state.prisms(change)))?;
-    state.apply(&change);
-    Some(stays)
+    let sound = |change: &Change| {
+        one_pinched_at_most(state, change) && change.moved.is_none_or(|(_, pillar)| pillar.is_finite())
+    };
+    changes
+        .into_iter()
+        .filter(|(_, change)| sound(change))
+        .filter_map(|(stays, change)| {
+            Some(Proposal { energy: admissible_energy(state, limits, &change)?, stays, change })
+        })
+        .collect()
 }
 
 /// The link condition, closed or with boundary, and valences that leave a manifold.
@@ -93,5 +122,9 @@ fn halfway(judge: &Judge<'_>, limits: &Limits, p: &Pillar, q: &Pillar) -> Pillar
     let at = mean(&p.middle, &q.middle);
     let share = super::cast::share(&bottom, &top, &at);
     let middle = middle(judge, &bottom, &top, share);
-    limits.capped(Pillar { bottom, middle, top })
+    let plain = Pillar { bottom, middle, top };
+    let length = |end: fn(&Pillar) -> [f64; 3]| {
+        0.5 * (distance(&end(p), &p.middle) + distance(&end(q), &q.middle)).min(2.0 * limits.thickness)
+    };
+    with_lengths(&middle, &direction(&plain), length(|p| p.bottom), length(|p| p.top))
 }

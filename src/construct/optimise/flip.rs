@@ -14,7 +14,7 @@ pub(crate) fn flip(state: &mut State, judge: &Judge<'_>, [u, w]: [u32; 2]) -> bo
     let [new, other] = change.add[..] else { return false };
     let before = change.remove.iter().map(|&f| state.faces[f as usize]).collect::<Vec<_>>();
     let [old, second] = before[..] else { return false };
-    if energy([new, other]) >= energy([old, second]) || !judge.admits(&state.prisms(&change)) {
+    if energy([new, other]) >= energy([old, second]) || !judge.admits(state, &change) {
         return false;
     }
     state.apply(&change);

@@ -6,6 +6,7 @@
 //! operations check, the mesh stays a section in all vertex orders.
 
 use super::prism::Prism;
+use super::state::{Change, State};
 use super::tree::{Box3, Tree};
 use crate::construct::direction::{float_dot, float_normal, unit};
 use crate::mesh::TriMesh;
@@ -62,56 +63,79 @@ impl<'a> Judge<'a> {
         self.mesh.faces[f as usize].map(|v| &self.mesh.vertices[v as usize])
     }
 
-    /// Do all invariants hold for these prisms?
-    pub(crate) fn admits(&self, prisms: &[Prism]) -> bool {
-        prisms.iter().all(Prism::is_positive) && self.fits(prisms)
+    /// Do all invariants hold after the change, and the distortion bound, or is the distortion at least no worse than
+    /// before?
+    pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
+        let after = state.prisms(change);
+        after.iter().all(Prism::is_positive)
+            && self.worst_cosine(&after).is_some_and(|cosine| {
+                cosine >= self.least_cosine
+                    || self.worst_cosine(&state.prisms_before(change)).is_some_and(|before| cosine >= before)
+            })
     }
 
-    /// Do all invariants about the mesh hold for these prisms?
-    pub(crate) fn fits(&self, prisms: &[Prism]) -> bool {
-        prisms.iter().all(|p| self.fits_one(p))
+    /// The smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an
+    /// invariant about the mesh is broken.
+    fn worst_cosine(&self, prisms: &[Prism]) -> Option<f64> {
+        let mut worst = self.least_cosine;
+        let fits = prisms.iter().all(|prism| {
+            let view = View::new(prism);
+            self.tree.all(&Box3::of(prism.points()), |f| {
+                let found = self.pair(&view, f);
+                worst = worst.min(found.unwrap_or(worst));
+                found.is_some()
+            })
+        });
+        fits.then_some(worst)
     }
 
-    fn fits_one(&self, prism: &Prism) -> bool {
-        let view = View::new(prism);
-        self.tree.all(&Box3::of(prism.points()), |f| self.pair(&view, f))
-    }
-
-    /// Is the mesh triangle where it may be?
-    fn pair(&self, view: &View<'_>, f: u32) -> bool {
+    /// For a mesh triangle where it may be, the smallest cosine or the bound; else `None`.
+    fn pair(&self, view: &View<'_>, f: u32) -> Option<f64> {
         let triangle = self.corners(f);
         let bounds = Box3::of(triangle);
-        let wrong = Slab::BOTH.map(|slab| self.wrong(view, slab, f, triangle));
-        for (s, slab) in Slab::BOTH.into_iter().enumerate() {
-            if wrong[s] == [false; 3] {
+        let mut worst = self.least_cosine;
+        for slab in Slab::BOTH {
+            let facing = self.facing(view, slab, f, triangle);
+            if facing.iter().all(|cosine| *cosine >= self.least_cosine) {
                 continue;
             }
             for (corner, tet) in view.prism.tets(slab) {
-                if wrong[s][corner] && bounds.meets(&Box3::of(tet)) {
+                let cosine = facing[corner];
+                if cosine < worst && bounds.meets(&Box3::of(tet)) {
                     let met = triangle_tet(triangle, tet);
                     if met.meets() && !(met == Meeting::Point && at_pinch(view.prism, triangle)) {
-                        return false;
+                        if cosine == f64::NEG_INFINITY {
+                            return None;
+                        }
+                        worst = cosine;
                     }
                 }
             }
         }
-        Slab::BOTH.into_iter().enumerate().all(|(s, slab)| {
+        let apart = Slab::BOTH.into_iter().enumerate().all(|(s, slab)| {
             if !bounds.meets(&view.outside[s]) {
                 return true;
             }
             let met = triangle_triangle(triangle, view.prism.outside(slab));
             !met.meets() || (met == Meeting::Point && at_pinch(view.prism, triangle))
-        })
+        });
+        apart.then_some(worst)
     }
 
-    /// Which pillar halves of a slab must not carry a tet that the triangle touches?
-    fn wrong(&self, view: &View<'_>, slab: Slab, f: u32, [a, b, c]: [&[f64; 3]; 3]) -> [bool; 3] {
+    /// The cosines between the triangle's normal and the pillar halves of a slab, in floats; minus infinity where the
+    /// exact dot product is not positive, and plus infinity at a pinched corner.
+    fn facing(&self, view: &View<'_>, slab: Slab, f: u32, [a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
         let s = usize::from(slab == Slab::Top);
         [0, 1, 2].map(|k| {
             let [lo, hi] = view.prism.pillars[k].half(slab);
-            !view.prism.pinched[k]
-                && (!dot_sign(a, b, c, lo, hi).is_positive()
-                    || float_dot(&self.normals[f as usize], &view.halves[s][k]) < self.least_cosine)
+            if view.prism.pinched[k] {
+                f64::INFINITY
+            } else if dot_sign(a, b, c, lo, hi).is_positive() {
+                // Where the float is not positive, although the exact value is, it says "nearly none".
+                float_dot(&self.normals[f as usize], &view.halves[s][k]).max(0.0)
+            } else {
+                f64::NEG_INFINITY
+            }
         })
     }
 }

@@ -1,6 +1,5 @@
 //! Quality rules of the optimisation. Floats: they steer, they prove nothing.
 
-use super::prism::Pillar;
 use crate::construct::direction::float_dot;
 
 /// What the operations aim at and are bounded by.
@@ -21,19 +20,4 @@ pub(crate) fn minus(to: &[f64; 3], from: &[f64; 3]) -> [f64; 3] {
 pub(crate) fn distance(p: &[f64; 3], q: &[f64; 3]) -> f64 {
     let d = minus(p, q);
     float_dot(&d, &d).sqrt()
-}
-
-impl Limits {
-    /// The pillar with each half cut off at the largest length.
-    pub(crate) fn capped(&self, pillar: Pillar) -> Pillar {
-        let cap = |end: [f64; 3]| {
-            let length = distance(&end, &pillar.middle);
-            if length <= self.thickness {
-                return end;
-            }
-            let share = self.thickness / length;
-            std::array::from_fn(|i| pillar.middle[i] + share * (end[i] - pillar.middle[i]))
-        };
-        Pillar { bottom: cap(pillar.bottom), middle: pillar.middle, top: cap(pillar.top) }
-    }
 }

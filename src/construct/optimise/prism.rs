@@ -21,6 +21,13 @@ impl Pillar {
         }
     }
 
+    /// The pillar with both halves shortened to a share of their length.
+    pub(crate) fn scaled(&self, share: f64) -> Self {
+        let m = self.middle;
+        let near = |end: [f64; 3]| std::array::from_fn(|i| m[i] + share * (end[i] - m[i]));
+        Self { bottom: near(self.bottom), middle: m, top: near(self.top) }
+    }
+
     /// One point only?
     pub(crate) fn is_pinched(&self) -> bool {
         same_point(&self.bottom, &self.middle) && same_point(&self.middle, &self.top)

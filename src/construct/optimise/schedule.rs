@@ -63,8 +63,20 @@ pub(crate) struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// The outer loop, then the polishing rounds.
+    /// Coarsening and polishing, again while polishing has made more coarsening possible.
     pub(crate) fn run(&mut self, polish: usize, stop: &mut Stop<'_>) {
+        for _ in 0..std::env::var("REP").map_or(1, |x| x.parse().unwrap()) {
+            let before = self.state.live;
+            self.coarsen(stop);
+            if stop.stopped() || self.state.live == before {
+                break;
+            }
+            self.polish(polish, stop);
+        }
+    }
+
+    /// The outer loop: until a round leaves less than 0.01 % fewer prisms.
+    fn coarsen(&mut self, stop: &mut Stop<'_>) {
         stop.observer.stage("coarsening", None);
         loop {
             let before = self.state.live;
@@ -72,15 +84,17 @@ impl Work<'_> {
             self.smooth(stop);
             self.collapses(stop);
             self.counts.rounds += 1;
-            // Less than 0.01 % fewer.
             if stop.stopped() || (before - self.state.live) * 10_000 < before {
-                break;
+                return;
             }
         }
+    }
+
+    fn polish(&mut self, rounds: usize, stop: &mut Stop<'_>) {
         stop.observer.stage("polishing", None);
-        for _ in 0..polish {
+        for _ in 0..rounds {
             if stop.stopped() {
-                break;
+                return;
             }
             self.flips(stop);
             self.smooth(stop);

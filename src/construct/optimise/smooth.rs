@@ -25,12 +25,9 @@ fn attempt(
         let pillar = step(share);
         let change = Change { moved: Some((v, pillar)), ..Change::default() };
         let prisms = state.prisms(&change);
-        if pillar.is_finite() && better(&prisms) && prisms.iter().all(Prism::is_positive) {
-            let fits = judge.fits(&prisms);
-            if fits {
-                state.apply(&change);
-            }
-            return fits;
+        if pillar.is_finite() && better(&prisms) && judge.admits(state, &change) {
+            state.apply(&change);
+            return true;
         }
         share *= 0.5;
     }
@@ -42,7 +39,7 @@ fn total(prisms: &[Prism]) -> f64 {
 }
 
 /// The direction of a pillar, a unit vector.
-fn direction(pillar: &Pillar) -> [f64; 3] {
+pub(crate) fn direction(pillar: &Pillar) -> [f64; 3] {
     unit(minus(&pillar.top, &pillar.bottom))
 }
 
@@ -53,11 +50,13 @@ pub(crate) fn pan(state: &mut State, judge: &Judge<'_>, v: u32) -> bool {
     let before: Vec<Prism> = star(state, v);
     let energy = total(&before);
     let shift = minus(&to, &old.middle);
+    let (along, down, up) = (direction(&old), distance(&old.bottom, &old.middle), distance(&old.top, &old.middle));
     let step = |share: f64| {
         let moved = |p: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| p[i] + share * shift[i]) };
         let (bottom, top) = (moved(&old.bottom), moved(&old.top));
         let guess = cast::share(&bottom, &top, &moved(&old.middle));
-        Pillar { bottom, middle: cast::middle(judge, &bottom, &top, guess), top }
+        let middle = cast::middle(judge, &bottom, &top, guess);
+        with_lengths(&middle, &along, down, up)
     };
     attempt(state, judge, v, step, |prisms| total(prisms) < energy * (1.0 - 1e-4))
 }
@@ -121,36 +120,39 @@ pub(crate) fn rotate(state: &mut State, judge: &Judge<'_>, v: u32) -> bool {
         return false;
     }
     let (down, up) = (distance(&old.bottom, &old.middle), distance(&old.top, &old.middle));
-    let step = |share: f64| with_lengths(&old, unit(std::array::from_fn(|i| from[i] + share * (to[i] - from[i]))), down, up);
+    let step = |share: f64| with_lengths(&old.middle, &unit(std::array::from_fn(|i| from[i] + share * (to[i] - from[i]))), down, up);
     attempt(state, judge, v, step, |_| true)
 }
 
-fn with_lengths(old: &Pillar, d: [f64; 3], down: f64, up: f64) -> Pillar {
-    let m = old.middle;
+/// The straight pillar, up to rounding, at a middle with a direction and lengths.
+pub(crate) fn with_lengths(m: &[f64; 3], d: &[f64; 3], down: f64, up: f64) -> Pillar {
     Pillar {
         bottom: std::array::from_fn(|i| m[i] - down * d[i]),
-        middle: m,
+        middle: *m,
         top: std::array::from_fn(|i| m[i] + up * d[i]),
     }
 }
 
-/// Sets the lengths of the halves to one and a half times the mean of the neighbours', capped.
+/// Lengthens the halves to one and a half times the mean of the neighbours', capped: both, or one alone.
 pub(crate) fn zoom(state: &mut State, judge: &Judge<'_>, limits: &Limits, v: u32) -> bool {
     let old = state.pillars[v as usize];
     let near = around(state, v);
-    let goal = |length: fn(&Pillar) -> f64| {
-        let mean = near.iter().map(length).sum::<f64>() / near.len() as f64;
-        (1.5 * mean).min(limits.thickness)
-    };
     let lengths: [fn(&Pillar) -> f64; 2] = [|p| distance(&p.bottom, &p.middle), |p| distance(&p.top, &p.middle)];
-    let (from, to) = (lengths.map(|l| l(&old)), lengths.map(goal));
-    if (0..2).all(|k| (to[k] - from[k]).abs() <= 1e-3 * from[k]) {
-        return false;
-    }
+    let from = lengths.map(|l| l(&old));
+    let goal = lengths.map(|l| (1.5 * near.iter().map(l).sum::<f64>() / near.len() as f64).min(limits.thickness));
+    let grows = [0, 1].map(|k| goal[k] > 1.001 * from[k]);
     let d = direction(&old);
-    let step = |share: f64| {
-        let [down, up] = [0, 1].map(|k| from[k] + share * (to[k] - from[k]));
-        with_lengths(&old, d, down, up)
-    };
-    attempt(state, judge, v, step, |_| true)
+    for which in [[true, true], [true, false], [false, true]] {
+        if (0..2).any(|k| which[k] && !grows[k]) {
+            continue;
+        }
+        let step = |share: f64| {
+            let [down, up] = [0, 1].map(|k| if which[k] { from[k] + share * (goal[k] - from[k]) } else { from[k] });
+            with_lengths(&old.middle, &d, down, up)
+        };
+        if attempt(state, judge, v, step, |_| true) {
+            return true;
+        }
+    }
+    false
 }

@@ -131,6 +131,13 @@ impl State {
         out
     }
 
+    /// The prisms that a change replaces or moves, as they are.
+    pub(crate) fn prisms_before(&self, change: &Change) -> Vec<Prism> {
+        let moved = change.moved.as_ref().and_then(|(v, _)| self.star.get(*v as usize));
+        let stays = moved.into_iter().flatten().filter(|f| !change.remove.contains(f));
+        change.remove.iter().chain(stays).map(|&f| self.prism(self.faces[f as usize], None)).collect()
+    }
+
     /// Makes a change that was checked.
     pub(crate) fn apply(&mut self, change: &Change) {
         for &f in &change.remove {
