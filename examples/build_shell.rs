@@ -7,12 +7,13 @@ use std::time::Instant;
 use homeo::certify::{Options, Silent, certify};
 use homeo::construct::{InitialOptions, OptimiseOptions, initial, optimise};
 use homeo::mesh;
-use homeo::shell::hdf5::{self, ShellFile};
 use homeo::shell::Shell;
+use homeo::shell::hdf5::{self, ShellFile};
 
 /// Smallest and mean length of the halves, as shares of `unit`; pinched vertices are left out.
 fn thickness(shell: &Shell, unit: f64) -> [f64; 2] {
-    let length = |p: &[f64; 3], q: &[f64; 3]| (0..3).map(|i| (p[i] - q[i]).powi(2)).sum::<f64>().sqrt() / unit;
+    let length =
+        |p: &[f64; 3], q: &[f64; 3]| (0..3).map(|i| (p[i] - q[i]).powi(2)).sum::<f64>().sqrt() / unit;
     let halves: Vec<f64> = (0..shell.middle.len())
         .filter(|&v| !shell.is_pinched(u32::try_from(v).unwrap_or(u32::MAX)))
         .flat_map(|v| [length(&shell.bottom[v], &shell.middle[v]), length(&shell.top[v], &shell.middle[v])])
@@ -31,7 +32,9 @@ fn longest_box_edge(points: &[[f64; 3]]) -> f64 {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let option = |name: &str| args.iter().position(|a| a == name).and_then(|i| args.get(i + 1));
-    let path = args.first().ok_or("usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [-o FILE.h5]")?;
+    let path = args
+        .first()
+        .ok_or("usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [-o FILE.h5]")?;
     let thick = option("--thickness").map_or(Ok(0.05), |t| t.parse())?;
     let angle = option("--angle").map_or(Ok(0.001f64.acos().to_degrees()), |t| t.parse())?;
     let polish = option("--polish").map_or(Ok(20), |t| t.parse())?;
@@ -39,7 +42,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let start = Instant::now();
     let first = initial(&mesh, &InitialOptions { thickness: thick }, &Silent)?;
     let middle = start.elapsed().as_secs_f64();
-    let options = OptimiseOptions { thickness: thick, max_angle_degrees: angle, polish, ..OptimiseOptions::default() };
+    let options =
+        OptimiseOptions { thickness: thick, max_angle_degrees: angle, polish, ..OptimiseOptions::default() };
     let built = optimise(&mesh, &first.shell, &options, &Silent)?;
     let seconds = start.elapsed().as_secs_f64();
     let [min, mean] = thickness(&built.shell, longest_box_edge(&mesh.vertices));

@@ -20,7 +20,12 @@ fn crossing(judge: &Judge<'_>, bottom: &[f64; 3], top: &[f64; 3], guess: f64) ->
         let (u, v, t) = (float_dot(&s, &p) / volume, float_dot(&d, &q) / volume, float_dot(&e2, &q) / volume);
         // det(e1, d, e2) = -(e1 x e2) . d: negative where the segment comes from behind.
         let inside = u >= -1e-9 && v >= -1e-9 && u + v <= 1.0 + 1e-9;
-        if volume < 0.0 && inside && t > 0.0 && t < 1.0 && best.is_none_or(|b| (t - guess).abs() < (b - guess).abs()) {
+        if volume < 0.0
+            && inside
+            && t > 0.0
+            && t < 1.0
+            && best.is_none_or(|b| (t - guess).abs() < (b - guess).abs())
+        {
             best = Some(t);
         }
         true

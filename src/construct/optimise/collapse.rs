@@ -1,16 +1,19 @@
 //! Edge collapse: one prism column instead of two.
 
-use super::cast::middle;
+use super::cast;
 use super::energy::mips;
 use super::invariants::Judge;
 use super::limits::{Limits, distance};
-use super::smooth::{direction, with_lengths};
 use super::prism::{Pillar, Prism};
+use super::smooth::{direction, with_lengths};
 use super::state::{Change, State};
 
 /// The shares of their length that a new pillar's halves are tried with. A thinner column fits in where a thick one
 /// folds; zooming makes it thicker later.
-const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
+const SHARES: [f64; 2] = [1.0, 0.25];
+
+/// Where between the two old pillars a new one is tried, besides at the ends.
+const PLACES: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// A collapse that the rules allow.
 struct Proposal {
@@ -22,14 +25,23 @@ struct Proposal {
 }
 
 /// Collapses the edge if some new pillar keeps all invariants and rules. Returns the vertex that stays.
-pub(crate) fn collapse(state: &mut State, judge: &Judge<'_>, limits: &Limits, [u, w]: [u32; 2]) -> Option<u32> {
+pub(crate) fn collapse(
+    state: &mut State,
+    judge: &Judge<'_>,
+    limits: &Limits,
+    [u, w]: [u32; 2],
+) -> Option<u32> {
     if !topology_allows(state, u, w) {
         return None;
     }
-    let halfway = (!state.is_frozen(u) && !state.is_frozen(w))
-        .then(|| halfway(judge, limits, &state.pillars[u as usize], &state.pillars[w as usize]));
+    let between: Vec<Pillar> = if state.is_frozen(u) || state.is_frozen(w) {
+        Vec::new()
+    } else {
+        let ends = [u, w].map(|v| &state.pillars[v as usize]);
+        PLACES.iter().map(|&t| between(judge, limits, ends, t)).collect()
+    };
     for share in SHARES {
-        let mut options = proposals(state, limits, [u, w], halfway.as_ref(), share);
+        let mut options = proposals(state, limits, [u, w], &between, share);
         options.sort_by(|a, b| a.energy.total_cmp(&b.energy));
         if let Some(chosen) = options.into_iter().find(|o| judge.admits(state, &o.change)) {
             state.apply(&chosen.change);
@@ -39,17 +51,17 @@ pub(crate) fn collapse(state: &mut State, judge: &Judge<'_>, limits: &Limits, [u
     None
 }
 
-/// The collapses onto the halfway pillar and onto both ends, with halves of a share of their length.
+/// The collapses onto pillars between and onto both ends, with halves of a share of their length.
 fn proposals(
     state: &State,
     limits: &Limits,
     [u, w]: [u32; 2],
-    halfway: Option<&Pillar>,
+    between: &[Pillar],
     share: f64,
 ) -> Vec<Proposal> {
     let whole = share >= 1.0;
     let mut changes: Vec<(u32, Change)> = Vec::with_capacity(3);
-    changes.extend(halfway.map(|p| (w, onto(state, u, w, Some(p.scaled(share))))));
+    changes.extend(between.iter().map(|p| (w, onto(state, u, w, Some(p.scaled(share))))));
     for (from, to) in [(u, w), (w, u)] {
         // A pillar that keeps its length keeps its rounded points, too.
         let pillar = (!whole).then(|| state.pillars[to as usize].scaled(share));
@@ -115,16 +127,17 @@ fn worst<'p>(prisms: impl Iterator<Item = &'p Prism>) -> f64 {
     prisms.map(|p| mips(p.middle())).fold(0.0, f64::max)
 }
 
-/// The mean of two pillars, its middle on the mesh.
-fn halfway(judge: &Judge<'_>, limits: &Limits, p: &Pillar, q: &Pillar) -> Pillar {
-    let mean = |a: &[f64; 3], b: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| 0.5 * a[i] + 0.5 * b[i]) };
+/// A weighted mean of two pillars, its middle on the mesh, its halves of the mean lengths, capped.
+fn between(judge: &Judge<'_>, limits: &Limits, [p, q]: [&Pillar; 2], t: f64) -> Pillar {
+    let mean =
+        |a: &[f64; 3], b: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| (1.0 - t) * a[i] + t * b[i]) };
     let (bottom, top) = (mean(&p.bottom, &q.bottom), mean(&p.top, &q.top));
     let at = mean(&p.middle, &q.middle);
-    let share = super::cast::share(&bottom, &top, &at);
-    let middle = middle(judge, &bottom, &top, share);
-    let plain = Pillar { bottom, middle, top };
+    let middle = cast::middle(judge, &bottom, &top, cast::share(&bottom, &top, &at));
     let length = |end: fn(&Pillar) -> [f64; 3]| {
-        0.5 * (distance(&end(p), &p.middle) + distance(&end(q), &q.middle)).min(2.0 * limits.thickness)
+        let [a, b] = [p, q].map(|p| distance(&end(p), &p.middle));
+        ((1.0 - t) * a + t * b).min(limits.thickness)
     };
-    with_lengths(&middle, &direction(&plain), length(|p| p.bottom), length(|p| p.top))
+    let along = direction(&Pillar { bottom, middle, top });
+    with_lengths(&middle, &along, length(|p| p.bottom), length(|p| p.top))
 }

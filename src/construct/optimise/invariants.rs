@@ -50,11 +50,8 @@ impl<'p> View<'p> {
 impl<'a> Judge<'a> {
     /// O(n log n) for n mesh triangles.
     pub(crate) fn new(mesh: &'a TriMesh, least_cosine: f64) -> Self {
-        let normals = mesh
-            .faces
-            .iter()
-            .map(|f| float_normal(f.map(|v| &mesh.vertices[v as usize])))
-            .collect();
+        let normals =
+            mesh.faces.iter().map(|f| float_normal(f.map(|v| &mesh.vertices[v as usize]))).collect();
         Self { mesh, tree: Tree::new(mesh), normals, least_cosine }
     }
 

@@ -84,7 +84,14 @@ impl Prism {
     pub(crate) fn points(&self) -> [&[f64; 3]; 9] {
         let p = &self.pillars;
         [
-            &p[0].bottom, &p[1].bottom, &p[2].bottom, &p[0].middle, &p[1].middle, &p[2].middle, &p[0].top, &p[1].top,
+            &p[0].bottom,
+            &p[1].bottom,
+            &p[2].bottom,
+            &p[0].middle,
+            &p[1].middle,
+            &p[2].middle,
+            &p[0].top,
+            &p[1].top,
             &p[2].top,
         ]
     }

@@ -12,6 +12,9 @@ use super::smooth::{pan, rotate, zoom};
 use super::state::State;
 use crate::certify::Observer;
 
+/// How often coarsening and polishing are repeated at most.
+const REPEATS: usize = 4;
+
 /// Asks now and then whether to go on.
 pub(crate) struct Stop<'a> {
     observer: &'a dyn Observer,
@@ -65,7 +68,7 @@ pub(crate) struct Work<'a> {
 impl Work<'_> {
     /// Coarsening and polishing, again while polishing has made more coarsening possible.
     pub(crate) fn run(&mut self, polish: usize, stop: &mut Stop<'_>) {
-        for _ in 0..std::env::var("REP").map_or(1, |x| x.parse().unwrap()) {
+        for _ in 0..REPEATS {
             let before = self.state.live;
             self.coarsen(stop);
             if stop.stopped() || self.state.live == before {

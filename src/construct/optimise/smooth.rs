@@ -50,7 +50,8 @@ pub(crate) fn pan(state: &mut State, judge: &Judge<'_>, v: u32) -> bool {
     let before: Vec<Prism> = star(state, v);
     let energy = total(&before);
     let shift = minus(&to, &old.middle);
-    let (along, down, up) = (direction(&old), distance(&old.bottom, &old.middle), distance(&old.top, &old.middle));
+    let (along, down, up) =
+        (direction(&old), distance(&old.bottom, &old.middle), distance(&old.top, &old.middle));
     let step = |share: f64| {
         let moved = |p: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| p[i] + share * shift[i]) };
         let (bottom, top) = (moved(&old.bottom), moved(&old.top));
@@ -120,7 +121,14 @@ pub(crate) fn rotate(state: &mut State, judge: &Judge<'_>, v: u32) -> bool {
         return false;
     }
     let (down, up) = (distance(&old.bottom, &old.middle), distance(&old.top, &old.middle));
-    let step = |share: f64| with_lengths(&old.middle, &unit(std::array::from_fn(|i| from[i] + share * (to[i] - from[i]))), down, up);
+    let step = |share: f64| {
+        with_lengths(
+            &old.middle,
+            &unit(std::array::from_fn(|i| from[i] + share * (to[i] - from[i]))),
+            down,
+            up,
+        )
+    };
     attempt(state, judge, v, step, |_| true)
 }
 
@@ -137,9 +145,11 @@ pub(crate) fn with_lengths(m: &[f64; 3], d: &[f64; 3], down: f64, up: f64) -> Pi
 pub(crate) fn zoom(state: &mut State, judge: &Judge<'_>, limits: &Limits, v: u32) -> bool {
     let old = state.pillars[v as usize];
     let near = around(state, v);
-    let lengths: [fn(&Pillar) -> f64; 2] = [|p| distance(&p.bottom, &p.middle), |p| distance(&p.top, &p.middle)];
+    let lengths: [fn(&Pillar) -> f64; 2] =
+        [|p| distance(&p.bottom, &p.middle), |p| distance(&p.top, &p.middle)];
     let from = lengths.map(|l| l(&old));
-    let goal = lengths.map(|l| (1.5 * near.iter().map(l).sum::<f64>() / near.len() as f64).min(limits.thickness));
+    let goal =
+        lengths.map(|l| (1.5 * near.iter().map(l).sum::<f64>() / near.len() as f64).min(limits.thickness));
     let grows = [0, 1].map(|k| goal[k] > 1.001 * from[k]);
     let d = direction(&old);
     for which in [[true, true], [true, false], [false, true]] {
@@ -147,7 +157,8 @@ pub(crate) fn zoom(state: &mut State, judge: &Judge<'_>, limits: &Limits, v: u32
             continue;
         }
         let step = |share: f64| {
-            let [down, up] = [0, 1].map(|k| if which[k] { from[k] + share * (goal[k] - from[k]) } else { from[k] });
+            let [down, up] =
+                [0, 1].map(|k| if which[k] { from[k] + share * (goal[k] - from[k]) } else { from[k] });
             with_lengths(&old.middle, &d, down, up)
         };
         if attempt(state, judge, v, step, |_| true) {

@@ -32,7 +32,8 @@ impl State {
     /// The state of a shell; `connectivity` is that of its middle complex.
     pub(crate) fn new(shell: &Shell, connectivity: &Connectivity) -> Self {
         let n = shell.middle.len();
-        let pillar = |v: usize| Pillar { bottom: shell.bottom[v], middle: shell.middle[v], top: shell.top[v] };
+        let pillar =
+            |v: usize| Pillar { bottom: shell.bottom[v], middle: shell.middle[v], top: shell.top[v] };
         let pillars: Vec<Pillar> = (0..n).map(pillar).collect();
         let mut star = vec![Vec::new(); n];
         for (f, face) in (0u32..).zip(&shell.faces) {
@@ -72,11 +73,8 @@ impl State {
 
     /// The neighbours of a vertex, ascending.
     pub(crate) fn neighbours(&self, v: u32) -> Vec<u32> {
-        let mut out: Vec<u32> = self.star[v as usize]
-            .iter()
-            .flat_map(|&f| self.faces[f as usize])
-            .filter(|&w| w != v)
-            .collect();
+        let mut out: Vec<u32> =
+            self.star[v as usize].iter().flat_map(|&f| self.faces[f as usize]).filter(|&w| w != v).collect();
         out.sort_unstable();
         out.dedup();
         out
