@@ -8,12 +8,23 @@ use super::prism::{Pillar, Prism};
 use super::smooth::{direction, with_lengths};
 use super::state::{Change, State};
 
-/// The shares of their length that a new pillar's halves are tried with. A thinner column fits in where a thick one
-/// folds; zooming makes it thicker later.
-const SHARES: [f64; 2] = [1.0, 0.25];
+/// Which new pillars a collapse tries, besides the two old ones.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// The shares of their length that a new pillar's halves are tried with. A thinner column fits in where a thick
+    /// one folds; zooming makes it thicker later.
+    shares: &'static [f64],
+    /// Where between the two old pillars.
+    places: &'static [f64],
+}
 
-/// Where between the two old pillars a new one is tried, besides at the ends.
-const PLACES: [f64; 3] = [0.25, 0.5, 0.75];
+impl Effort {
+    /// Enough while there is much to collapse.
+    pub(crate) const PLAIN: Self = Self { shares: &[1.0, 0.25], places: &[0.25, 0.5, 0.75] };
+    /// For the last few.
+    pub(crate) const HARD: Self =
+        Self { shares: &[1.0, 0.5, 0.2, 0.08], places: &[0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9] };
+}
 
 /// A collapse that the rules allow.
 struct Proposal {
@@ -29,6 +40,7 @@ pub(crate) fn collapse(
     state: &mut State,
     judge: &Judge<'_>,
     limits: &Limits,
+    effort: Effort,
     [u, w]: [u32; 2],
 ) -> Option<u32> {
     if !topology_allows(state, u, w) {
@@ -38,9 +50,9 @@ pub(crate) fn collapse(
         Vec::new()
     } else {
         let ends = [u, w].map(|v| &state.pillars[v as usize]);
-        PLACES.iter().map(|&t| between(judge, limits, ends, t)).collect()
+        effort.places.iter().map(|&t| between(judge, limits, ends, t)).collect()
     };
-    for share in SHARES {
+    for &share in effort.shares {
         let mut options = proposals(state, limits, [u, w], &between, share);
         options.sort_by(|a, b| a.energy.total_cmp(&b.energy));
         if let Some(chosen) = options.into_iter().find(|o| judge.admits(state, &o.change)) {

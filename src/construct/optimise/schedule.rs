@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::time::{Duration, Instant};
 
-use super::collapse::collapse;
+use super::collapse::{Effort, collapse};
 use super::flip::flip;
 use super::invariants::Judge;
 use super::limits::{Limits, distance};
@@ -68,9 +68,10 @@ pub(crate) struct Work<'a> {
 impl Work<'_> {
     /// Coarsening and polishing, again while polishing has made more coarsening possible.
     pub(crate) fn run(&mut self, polish: usize, stop: &mut Stop<'_>) {
-        for _ in 0..REPEATS {
+        for repeat in 0..REPEATS {
+            let effort = if repeat == 0 { Effort::PLAIN } else { Effort::HARD };
             let before = self.state.live;
-            self.coarsen(stop);
+            self.coarsen(effort, stop);
             if stop.stopped() || self.state.live == before {
                 break;
             }
@@ -79,13 +80,13 @@ impl Work<'_> {
     }
 
     /// The outer loop: until a round leaves less than 0.01 % fewer prisms.
-    fn coarsen(&mut self, stop: &mut Stop<'_>) {
+    fn coarsen(&mut self, effort: Effort, stop: &mut Stop<'_>) {
         stop.observer.stage("coarsening", None);
         loop {
             let before = self.state.live;
             self.flips(stop);
             self.smooth(stop);
-            self.collapses(stop);
+            self.collapses(effort, stop);
             self.counts.rounds += 1;
             if stop.stopped() || (before - self.state.live) * 10_000 < before {
                 return;
@@ -131,7 +132,7 @@ impl Work<'_> {
     }
 
     /// Shortest edges first; edges around a new vertex join the queue.
-    fn collapses(&mut self, stop: &mut Stop<'_>) {
+    fn collapses(&mut self, effort: Effort, stop: &mut Stop<'_>) {
         let mut queue: BinaryHeap<Reverse<(u64, [u32; 2])>> =
             self.state.edges().into_iter().map(|e| Reverse((self.length(e), e))).collect();
         while let Some(Reverse((length, edge))) = queue.pop() {
@@ -141,7 +142,7 @@ impl Work<'_> {
             if self.state.edge(edge[0], edge[1]).is_empty() || self.length(edge) != length {
                 continue;
             }
-            if let Some(stays) = collapse(&mut self.state, &self.judge, &self.limits, edge) {
+            if let Some(stays) = collapse(&mut self.state, &self.judge, &self.limits, effort, edge) {
                 self.counts.collapses += 1;
                 for w in self.state.neighbours(stays) {
                     let edge = [stays.min(w), stays.max(w)];

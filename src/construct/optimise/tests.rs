@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-use super::collapse::collapse;
+use super::collapse::{Effort, collapse};
 use super::energy::{gradient, mips};
 use super::flip::flip;
 use super::invariants::Judge;
@@ -133,7 +133,8 @@ fn random_operation(state: &mut State, judge: &Judge<'_>, limits: &Limits, rando
     let live: Vec<[u32; 3]> = state.faces.iter().copied().filter(|f| *f != GONE).collect();
     let [u, w, _] = live[random.below(live.len())];
     match random.below(6) {
-        0 | 1 => collapse(state, judge, limits, [u, w]).is_some(),
+        0 => collapse(state, judge, limits, Effort::PLAIN, [u, w]).is_some(),
+        1 => collapse(state, judge, limits, Effort::HARD, [u, w]).is_some(),
         2 => flip(state, judge, [u, w]),
         kind => {
             if state.is_frozen(u) {

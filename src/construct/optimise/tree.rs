@@ -14,9 +14,9 @@ impl Box3 {
     pub(crate) fn of<'p>(points: impl IntoIterator<Item = &'p [f64; 3]>) -> Self {
         let mut out = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
         for p in points {
-            for i in 0..3 {
-                out.low[i] = out.low[i].min(p[i]);
-                out.high[i] = out.high[i].max(p[i]);
+            for ((low, high), x) in out.low.iter_mut().zip(&mut out.high).zip(p) {
+                *low = low.min(*x);
+                *high = high.max(*x);
             }
         }
         out
