@@ -19,6 +19,10 @@ pub(crate) struct Effort {
 }
 
 impl Effort {
+    pub(crate) fn is_hard(self) -> bool {
+        self.shares.len() > Self::PLAIN.shares.len()
+    }
+
     /// Enough while there is much to collapse.
     pub(crate) const PLAIN: Self = Self { shares: &[1.0, 0.25], places: &[0.25, 0.5, 0.75] };
     /// For the last few.

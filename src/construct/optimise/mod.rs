@@ -85,6 +85,7 @@ pub fn optimise(
         judge: Judge::new(mesh, options.max_angle_degrees.to_radians().cos().max(0.0)),
         limits: Limits { thickness: options.thickness * longest_box_edge(mesh), energy: options.max_energy },
         counts: Counts::default(),
+        tried: schedule::Tried::default(),
     };
     work.run(options.polish, &mut stop);
     Ok(Optimised { shell: work.state.shell(), counts: work.counts, stopped: stop.stopped() })

@@ -4,6 +4,8 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::time::{Duration, Instant};
 
+use rustc_hash::FxHashMap;
+
 use super::collapse::{Effort, collapse};
 use super::flip::flip;
 use super::invariants::Judge;
@@ -63,6 +65,28 @@ pub(crate) struct Work<'a> {
     pub(crate) judge: Judge<'a>,
     pub(crate) limits: Limits,
     pub(crate) counts: Counts,
+    pub(crate) tried: Tried,
+}
+
+/// Up to which change an operation was tried in vain, or led to later changes: operations depend on their neighbourhood
+/// alone, so that there is no use in trying again before it changes.
+#[derive(Debug, Default)]
+pub(crate) struct Tried {
+    smooth: FxHashMap<u32, u64>,
+    flip: FxHashMap<[u32; 2], u64>,
+    /// Plain and hard.
+    collapse: [FxHashMap<[u32; 2], u64>; 2],
+}
+
+/// Is it a waste to try again? If not, this counts as a try.
+fn in_vain<const N: usize, K: std::hash::Hash + Eq>(
+    state: &State,
+    tried: &mut FxHashMap<K, u64>,
+    key: K,
+    vertices: [u32; N],
+) -> bool {
+    let last = tried.insert(key, state.clock);
+    last.is_some_and(|last| vertices.into_iter().all(|v| state.is_settled(v, last)))
 }
 
 impl Work<'_> {
@@ -110,6 +134,9 @@ impl Work<'_> {
             if stop.now() {
                 return;
             }
+            if in_vain(&self.state, &mut self.tried.flip, edge, edge) {
+                continue;
+            }
             self.counts.flips += u64::from(flip(&mut self.state, &self.judge, edge));
         }
     }
@@ -121,6 +148,9 @@ impl Work<'_> {
             }
             if stop.now() {
                 return;
+            }
+            if in_vain(&self.state, &mut self.tried.smooth, v, [v]) {
+                continue;
             }
             let moves = [
                 pan(&mut self.state, &self.judge, v),
@@ -140,6 +170,9 @@ impl Work<'_> {
                 return;
             }
             if self.state.edge(edge[0], edge[1]).is_empty() || self.length(edge) != length {
+                continue;
+            }
+            if in_vain(&self.state, &mut self.tried.collapse[usize::from(effort.is_hard())], edge, edge) {
                 continue;
             }
             if let Some(stays) = collapse(&mut self.state, &self.judge, &self.limits, effort, edge) {

@@ -18,6 +18,10 @@ pub(crate) struct State {
     pub(crate) star: Vec<Vec<u32>>,
     /// How many faces there are.
     pub(crate) live: usize,
+    /// How many changes were made.
+    pub(crate) clock: u64,
+    /// Per vertex the number of the last change to its pillar or star.
+    pub(crate) changed: Vec<u64>,
 }
 
 /// A replacement of faces, and of at most one pillar.
@@ -48,7 +52,16 @@ impl State {
             }
         }
         let pinched = pillars.iter().map(Pillar::is_pinched).collect();
-        Self { faces: shell.faces.clone(), pillars, pinched, boundary, star, live: shell.faces.len() }
+        Self {
+            faces: shell.faces.clone(),
+            pillars,
+            pinched,
+            boundary,
+            star,
+            live: shell.faces.len(),
+            clock: 0,
+            changed: vec![0; n],
+        }
     }
 
     /// The shell, ids closed up in ascending order.
@@ -136,10 +149,19 @@ impl State {
         change.remove.iter().chain(stays).map(|&f| self.prism(self.faces[f as usize], None)).collect()
     }
 
+    /// Was there no change to the vertex and its neighbours after change number `clock`? Whatever an operation there
+    /// looks at is then as it was.
+    pub(crate) fn is_settled(&self, v: u32, clock: u64) -> bool {
+        let around = self.star[v as usize].iter().flat_map(|&f| self.faces[f as usize]);
+        around.chain([v]).all(|w| self.changed[w as usize] <= clock)
+    }
+
     /// Makes a change that was checked.
     pub(crate) fn apply(&mut self, change: &Change) {
+        self.clock += 1;
         for &f in &change.remove {
             for v in std::mem::replace(&mut self.faces[f as usize], GONE) {
+                self.changed[v as usize] = self.clock;
                 self.star[v as usize].retain(|&g| g != f);
             }
         }
@@ -151,8 +173,10 @@ impl State {
                     self.pinched.push(false);
                     self.boundary.push(false);
                     self.star.push(Vec::new());
+                    self.changed.push(0);
                 }
             }
+            self.changed[v as usize] = self.clock;
         }
         let mut ids = change.remove.iter().copied();
         for &face in &change.add {
@@ -162,6 +186,7 @@ impl State {
             });
             self.faces[id as usize] = face;
             for v in face {
+                self.changed[v as usize] = self.clock;
                 self.star[v as usize].push(id);
             }
         }

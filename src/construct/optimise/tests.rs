@@ -105,6 +105,8 @@ fn connectivity(shell: &Shell) -> Connectivity {
 
 /// The state's own rules, and those of the complex.
 fn sanity_check(state: &State, start: &Connectivity) {
+    // A change is noticed by all who look at it.
+    assert!(state.changed.iter().all(|c| *c <= state.clock));
     assert_eq!(state.live, state.faces.iter().filter(|f| **f != GONE).count());
     let mut star = vec![Vec::new(); state.pillars.len()];
     for (f, face) in (0u32..).zip(&state.faces).filter(|(_, face)| **face != GONE) {
