@@ -19,6 +19,7 @@ pub(crate) struct Effort {
 }
 
 impl Effort {
+    /// More than plain?
     pub(crate) fn is_hard(self) -> bool {
         self.shares.len() > Self::PLAIN.shares.len()
     }

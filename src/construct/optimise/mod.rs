@@ -28,9 +28,9 @@ use self::schedule::{Stop, Work};
 use self::state::State;
 use super::gate::BuildError;
 use super::initial::longest_box_edge;
-use crate::certify::Observer;
-use crate::mesh::{Connectivity, TriMesh};
-use crate::shell::Shell;
+use crate::certify::{CertifyError, Observer};
+use crate::mesh::{self, Connectivity, TriMesh};
+use crate::shell::{Shell, validate};
 
 /// How to optimise.
 #[derive(Clone, Copy, Debug)]
@@ -71,13 +71,16 @@ pub struct Optimised {
 /// Every operation costs O(log n + k) for n mesh triangles, k of which are near its prisms.
 ///
 /// # Errors
-/// [`BuildError::Mesh`] where the middle complex is no oriented manifold.
+/// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section 1).
+/// The claims themselves are not checked here: on a shell that is not valid the result is not, either.
 pub fn optimise(
     mesh: &TriMesh,
     shell: &Shell,
     options: &OptimiseOptions,
     observer: &dyn Observer,
 ) -> Result<Optimised, BuildError> {
+    mesh::check(mesh)?;
+    validate::validate(shell).map_err(CertifyError::from)?;
     let connectivity = Connectivity::new(shell.middle.len(), &shell.faces)?;
     let mut stop = Stop::new(observer, options.time_limit);
     let mut work = Work {

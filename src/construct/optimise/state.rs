@@ -24,7 +24,7 @@ pub(crate) struct State {
     pub(crate) changed: Vec<u64>,
 }
 
-/// A replacement of faces, and of at most one pillar.
+/// A replacement of faces by no more faces, and of at most one pillar by another.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Change {
     pub(crate) remove: Vec<u32>,
@@ -116,7 +116,7 @@ impl State {
     fn pillar_after(&self, v: u32, moved: Option<&(u32, Pillar)>) -> Pillar {
         match moved {
             Some((w, pillar)) if *w == v => *pillar,
-            _ => self.pillars.get(v as usize).copied().unwrap_or(self.pillars[0]),
+            _ => self.pillars[v as usize],
         }
     }
 
@@ -125,7 +125,7 @@ impl State {
         Prism {
             pillars: face.map(|v| self.pillar_after(v, moved)),
             // A vertex that moves is not pinched.
-            pinched: face.map(|v| self.pinched.get(v as usize).copied().unwrap_or(false)),
+            pinched: face.map(|v| self.pinched[v as usize]),
         }
     }
 
@@ -133,10 +133,8 @@ impl State {
     pub(crate) fn prisms(&self, change: &Change) -> Vec<Prism> {
         let moved = change.moved.as_ref();
         let mut out: Vec<Prism> = change.add.iter().map(|&f| self.prism(f, moved)).collect();
-        if let Some((v, _)) = change.moved
-            && let Some(star) = self.star.get(v as usize)
-        {
-            let stays = star.iter().filter(|f| !change.remove.contains(f));
+        if let Some((v, _)) = change.moved {
+            let stays = self.star[v as usize].iter().filter(|f| !change.remove.contains(f));
             out.extend(stays.map(|&f| self.prism(self.faces[f as usize], moved)));
         }
         out
@@ -166,24 +164,11 @@ impl State {
             }
         }
         if let Some((v, pillar)) = change.moved {
-            match self.pillars.get_mut(v as usize) {
-                Some(slot) => *slot = pillar,
-                None => {
-                    self.pillars.push(pillar);
-                    self.pinched.push(false);
-                    self.boundary.push(false);
-                    self.star.push(Vec::new());
-                    self.changed.push(0);
-                }
-            }
+            self.pillars[v as usize] = pillar;
             self.changed[v as usize] = self.clock;
         }
-        let mut ids = change.remove.iter().copied();
-        for &face in &change.add {
-            let id = ids.next().unwrap_or_else(|| {
-                self.faces.push(GONE);
-                u32::try_from(self.faces.len() - 1).unwrap_or(u32::MAX)
-            });
+        // No operation adds more faces than it removes.
+        for (&id, &face) in change.remove.iter().zip(&change.add) {
             self.faces[id as usize] = face;
             for v in face {
                 self.changed[v as usize] = self.clock;

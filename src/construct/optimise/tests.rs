@@ -305,6 +305,12 @@ fn energy_is_two_for_equilateral_triangles_and_has_the_right_slope() {
     let far = mips([&[1., 0., 0.], &[0., 1., 0.], &[0., 0., 1.]]);
     assert!((far - 2.0).abs() < 1e-12, "{far}");
     assert!(mips([&[0., 0., 0.], &[1., 1., 1.], &[2., 2., 2.]]).is_infinite());
+    let corners = [[1.0, 0.5, 0.0], [0.0, 1.0, 0.25], [0.0, 0.0, 1.0]];
+    let [p, q, r] = corners.map(|p| p.map(|x: f64| x * 2f64.powi(-600)));
+    let [x, y, z] = corners.map(|p| p.map(|x: f64| x * 2f64.powi(600)));
+    // Scaling by powers of two changes no rounding.
+    assert_eq!(mips([&p, &q, &r]).to_bits(), mips([&corners[0], &corners[1], &corners[2]]).to_bits());
+    assert_eq!(mips([&p, &q, &r]).to_bits(), mips([&x, &y, &z]).to_bits());
     let mut random = Random(10);
     for _ in 0..50 {
         let mut point = || -> [f64; 3] { std::array::from_fn(|_| random.real()) };
