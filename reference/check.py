@@ -12,7 +12,6 @@ DIGITS = 4000
 chain = itertools.chain.from_iterable
 ascending = lambda items: all(a < b for a, b in zip(items, items[1:]))
 distinct = lambda items: len(set(items)) == len(items)
-
 class Stop(Exception): pass  # the first failure: kind (`invalid`, `malformed`, `limit`), code, explanation
 def need(condition, code, why="", kind="invalid"):
     if not condition: raise Stop(kind, code, why)
@@ -358,7 +357,6 @@ def check_all_orders(case, points, cells, rim):
             steep = [names for names, tet in case.tets(q).items() if case.dot(f, tet) <= 0]
             parts = [cut(case, p, names, corners) for names in steep for p in parts]
         need(not any(det3(*t) for p in parts for t in fan(p)), "all-orders", f"triangle {f}, prism {j}")
-
 
 # ---- section 3.4: the no-lift witness; a tet here is (names in positive order, V)
 def check_witness(case, S, word, facts):
