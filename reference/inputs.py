@@ -68,7 +68,7 @@ def read_hdf5(data):
         ieee = struct.pack("<2H4BI", 0, 64, 52, 11, 0, 52, 1023)
         good = (kind & 15, order & 1, form) == (0, 0, b"\0\0\x20\0")
         if code == "d": good = (kind & 15, order & 65, found[3][8:20]) == (1, 0, ieee)
-        fit(good and bytes_each == size and (space, three) == (b"\1\2", 3) and 0xB not in found, "dataset")
+        fit(good and bytes_each == size and (space, three) == (b"\1\2", 3) and not {7, 0xB} & {*found}, "dataset")
         fit((layout, length) == (b"\3\1", 3 * n * size) and (n == 0 or where + length <= len(data)), "layout")
         return list(struct.iter_unpack("<3" + code, data[where:where + length] if n else b""))
     signature, sizes, base, root = get("<9s4x2s9xQ32xQ", 0)

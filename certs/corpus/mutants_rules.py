@@ -142,6 +142,8 @@ def hand_made_overlays(m):
     m("boundary", "wall-straight", "valid", "a mesh edge on a straight wall", whole(ALL_ORDERS, cut), files={"mesh": raised})
     m("boundary", "wall-bent", "invalid all-orders-boundary", "a mesh edge on a bent wall", whole(ALL_ORDERS, cut), files=bent)
     m("boundary", "wall-bent-one-order", "valid", "the same without section-all-orders", whole(SECTION, cut), files=bent)
+    m("boundary-wall", "all-orders-claimed", "invalid all-orders", "section-all-orders claimed though a flipped boundary wall leaves the mesh out",
+      claim("section-all-orders", "certified"), blocks(no_order=None), drop("claim i2 refuted"))
     m("closed-tet", "all-orders-claimed", "invalid all-orders", "section-all-orders claimed though one order has none",
       claim("section-all-orders", "certified"), blocks(no_order=None), drop("claim i2 refuted"))
 

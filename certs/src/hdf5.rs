@@ -147,8 +147,8 @@ impl<'a> File<'a> {
         let body =
             |kind: u64| messages.iter().find(|m| m.0 == kind).map(|m| m.1).ok_or_else(|| fail("no message"));
         let (space, kind, layout) = (body(1)?, body(3)?, body(8)?);
-        if messages.iter().any(|m| m.0 == 0x0b) {
-            return Err(fail("filters are not read"));
+        if messages.iter().any(|m| matches!(m.0, 7 | 0x0b)) {
+            return Err(fail("filters and external files are not read"));
         }
         self.expect(space, &[1, 2]).map_err(|_| fail("not of rank 2"))?;
         self.expect(layout, &[3, 1]).map_err(|_| fail("not contiguous"))?;
@@ -156,7 +156,8 @@ impl<'a> File<'a> {
         let (class, order, width) =
             (self.number(kind, 1)? as u8 & 15, self.number(kind + 1, 1)?, self.number(kind + 4, 4)?);
         let plain = match class {
-            0 => width == 4 && order & 1 == 0,
+            // No bit offset, a precision of 32.
+            0 => width == 4 && order & 1 == 0 && self.expect(kind + 8, &[0, 0, 32, 0]).is_ok(),
             // The IEEE double, byte for byte: bit field, then the properties behind the size.
             1 => width == 8 && self.expect(kind, &IEEE[..4]).and(self.expect(kind + 8, &IEEE[4..])).is_ok(),
             _ => false,

@@ -3,7 +3,7 @@
 use crate::number::{Vec3, cross, dot, sgn};
 use crate::overlay::Overlay;
 use crate::world::World;
-use crate::{Res, complex, each, show};
+use crate::{Res, complex, each};
 use num_bigint::BigInt;
 
 pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
@@ -19,40 +19,28 @@ pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
     each(overlay.cells.len(), |i| {
         let cell = &overlay.cells[i];
         let [f, home] = cell.home;
-        let sides = complex::sides(world.shell.triangles[home]);
-        // Behind a boundary side is no prism that takes over what the flipped wall gives away.
-        for (u, w) in sides.into_iter().filter(|&(u, w)| world.shell.across(u, w).is_none()) {
-            let walls = [0, 1].map(|slab| wall(world, u, w, slab));
-            let bad =
-                overlay.pieces(cell).iter().any(|p| walls.iter().any(|w| has_area(&clip(world, f, *w, p))));
-            ensure!(
-                !bad,
-                "all-orders",
-                "line {}: prism {home}, wall of the boundary edge {u} {w}",
-                cell.line
-            );
-        }
-        let across = sides.into_iter().filter_map(|(u, w)| Some((world.shell.across(u, w)?, Some((u, w)))));
-        for (prism, side) in std::iter::once((home, None)).chain(across) {
-            if world.rises(f, prism) {
-                continue;
-            }
-            let steep = world.tets[prism].iter().filter(|t| world.sign(world.dot(f, t.pillar)) <= 0);
-            let steep: Vec<_> = steep.filter(|tet| crosses(world, f, tet.names)).collect();
-            if steep.is_empty() {
+        let sides = complex::sides(world.shell.triangles[home]).map(Some);
+        for side in std::iter::once(None).chain(sides) {
+            let prism = side.map_or(Some(home), |(u, w)| world.shell.across(u, w));
+            let steep: Option<Vec<_>> = prism.map(|q| (q, world.rises(f, q))).map(|(q, rises)| {
+                let falls = |half| !rises && world.sign(world.dot(f, half)) <= 0;
+                world.tets[q].iter().filter(|t| falls(t.pillar) && crosses(world, f, t.names)).collect()
+            });
+            if steep.as_ref().is_some_and(Vec::is_empty) {
                 continue;
             }
             let mut pieces = overlay.pieces(cell);
             if let Some((u, w)) = side {
                 let walls = [0, 1].map(|slab| wall(world, u, w, slab));
-                let parts =
-                    walls.iter().flat_map(|wall| pieces.iter().map(|piece| clip(world, f, *wall, piece)));
-                pieces = parts.collect();
+                pieces =
+                    walls.iter().flat_map(|wall| pieces.iter().map(|p| clip(world, f, *wall, p))).collect();
             }
-            for tet in steep {
-                let bad = pieces.iter().any(|piece| has_area(&clip(world, f, tet.names, piece)));
-                ensure!(!bad, "all-orders", "line {}: prism {prism}, tet {}", cell.line, show(&tet.names));
-            }
+            let bad = |piece: &Vec<Vec3>| match &steep {
+                // Behind a boundary side no prism takes over what the flipped wall gives away.
+                None => has_area(piece),
+                Some(tets) => tets.iter().any(|t| has_area(&clip(world, f, t.names, piece))),
+            };
+            ensure!(!pieces.iter().any(bad), "all-orders", "line {}: prism {home}, side {side:?}", cell.line);
         }
         Ok(())
     })

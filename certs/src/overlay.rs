@@ -123,7 +123,7 @@ impl<'a> Overlay<'a> {
             [0, 1].into_iter().flat_map(|s: usize| facts.degree[s].iter().map(move |d| (s, d)))
         {
             let named = &self.cells[named];
-            let Some(triangle) = fans(named.corners).nth(fan) else { continue };
+            let triangle = fans(named.corners).nth(fan).ok_or_else(|| bad!("degree", "line {line}"))?;
             let [a, b, c] = triangle.map(|x| self.corners[x].weights[side].exact.iter().sum::<BigInt>());
             let (rows, scales) = (self.rows(side, named, triangle), [&b * &c, &a * &c, &a * &b]);
             let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &rows[j][i] * &scales[j]).sum());

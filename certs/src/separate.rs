@@ -68,24 +68,17 @@ impl Pair<'_> {
         let (mut a, mut b) = (a.to_vec(), b.to_vec());
         for plane in planes {
             // A triangle and a tet have at most four points; a missing one counts as one on the plane.
-            let sides = |points: &[usize]| -> [i32; 4] {
-                std::array::from_fn(|i| points.get(i).map_or(0, |&x| self.side(plane, x)))
-            };
-            let of_a = sides(&a);
-            if of_a.contains(&1) && of_a.contains(&-1) {
-                return false;
-            }
-            let of_b = sides(&b);
+            let sides =
+                |points: &[usize]| [0, 1, 2, 3].map(|i| points.get(i).map_or(0, |&x| self.side(plane, x)));
+            let (of_a, of_b) = (sides(&a), sides(&b));
             let apart = |s: i32| !of_a.contains(&-s) && !of_b.contains(&s);
             if !apart(1) && !apart(-1) {
                 return false;
             }
-            let stay = |points: &mut Vec<usize>, sides: [i32; 4]| {
+            for (points, sides) in [(&mut a, of_a), (&mut b, of_b)] {
                 let mut sides = sides.into_iter();
                 points.retain(|_| sides.next() == Some(0));
-            };
-            stay(&mut a, of_a);
-            stay(&mut b, of_b);
+            }
         }
         self.harmless(&a) || self.harmless(&b)
     }

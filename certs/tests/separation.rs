@@ -84,3 +84,13 @@ fn contacts() {
     own.set("i2", "contact 0 0 m0,m1,m2,t2 1 0 0 1 0 0 0 1");
     own.reject("not-refuted");
 }
+
+#[test]
+fn any_number_of_planes() {
+    // A recursion a plane would overflow the stack.
+    let points =
+        [&FLOOR[..], &[[3.0, 3.0, -1.0], [3.0, 3.0, 1.0], [5.0, 5.0, 0.0], [5.0, 5.0, -1.0]]].concat();
+    let idle = "p:g0,g0,g0 ".repeat(20_000);
+    mesh(&points, true, &format!("sep 0 1 {idle}n:g3,g6")).accept();
+    mesh(&points, true, &format!("sep 0 1 {}", idle.trim_end())).reject("not-separated");
+}

@@ -288,12 +288,19 @@ fn refuted_shells() -> Vec<Case> {
     let mut t = middle.to_vec();
     t.extend([[6.5, 0.125, 0.25], [7.5, 0.125, 0.25], [7.0, 0.25, 0.5]]);
     let tf = [[4, 5, 6], [0, 1, 4], [1, 5, 4], [1, 2, 5], [2, 6, 5], [2, 4, 6], [0, 4, 2], [1, 0, 3]];
+    // A mesh vertex inside the wall tet of a boundary side: the order that flips the wall leaves it outside.
+    let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 4.0, 0.0]];
+    let mut leaning = extruded(&corner, &[[0, 1, 2]], DOWN, UP);
+    leaning.top = vec![[0.0, 1.0, 1.0], [4.0, -1.0, 1.0], [2.0, 4.0, 1.0]];
+    let low_points = [&corner[..], &[[2.0, 0.0, 0.125]]].concat();
+    let low = mesh(&low_points, &[[0, 1, 3], [1, 2, 3], [2, 0, 3]]);
     let mut two_pinched = radial(&tetra, &tetra_f, 0.5, 1.5);
     for v in [0, 2] {
         two_pinched.bottom[v] = tetra[v];
         two_pinched.top[v] = tetra[v];
     }
     vec![
+        case("boundary-wall", leaning, low, &[Claim::SectionAllOrders, Claim::I2], &["first 1 0"]),
         case("pinched-edge", two_pinched, mesh(&tetra, &tetra_f), NO_SECTION_CROSSING, &["cap"]),
         case("bad-tet", damaged, mesh(&m, &f), BAD_TET, &["tet "]),
         case("bad-tet-unused", partly, mesh(&m, &f), BAD_UNUSED, &["tet "]),
