@@ -1,6 +1,7 @@
 //! Usage and input errors: everything that ends with exit code 2.
 
 use crate::certify::CertifyError;
+use crate::construct::BuildError;
 use crate::mesh::MeshError;
 use crate::shell::hdf5;
 use crate::shell::three::ThreeError;
@@ -51,6 +52,22 @@ pub enum CliError {
         file: String,
         /// The reason.
         source: hdf5::WriteError,
+    },
+    /// No shell could be built around a mesh.
+    #[error("{file}: {source}")]
+    Build {
+        /// The mesh file.
+        file: String,
+        /// The reason.
+        source: Box<BuildError>,
+    },
+    /// A shell that was built did not certify; nothing was written. An error of the program: please report it.
+    #[error("{file}: the shell that was built does not certify, so nothing was written: {reason}")]
+    NotProved {
+        /// The mesh file.
+        file: String,
+        /// The first refutation.
+        reason: String,
     },
     /// A shell could not be written for ParaView.
     #[error(transparent)]

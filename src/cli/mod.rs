@@ -6,6 +6,7 @@
 // Errors here end the process: their size does not matter.
 #![allow(clippy::result_large_err)]
 
+mod build;
 mod certify;
 mod check;
 mod convert;
@@ -38,6 +39,8 @@ enum Command {
     Demo(demo::Args),
     /// Decide claims about a shell and a mesh; write the certificate or the refutation
     Certify(certify::Args),
+    /// Build a shell around a mesh, optimise it, and write it with its certificate
+    Build(build::Args),
     /// Check a certificate against its input files (the same as `homeo-check`)
     Check(check::Args),
     /// Project points along a shell, exactly
@@ -63,6 +66,7 @@ pub fn main() -> ExitCode {
     };
     let done = match cli.command {
         Command::Demo(args) => demo::run(&args),
+        Command::Build(args) => build::run(&args),
         Command::Convert(args) => convert::run(&args),
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),

@@ -14,11 +14,7 @@ pub enum BuildError {
     #[error("{0}; repair the mesh first")]
     Mesh(#[from] MeshError),
     /// Triangles that share more than their common vertices.
-    #[error(
-        "the mesh intersects itself: triangles {} and {} meet ({count} such pairs); repair it, or pass \\
-         --allow-self-intersections for a shell that is only locally injective",
-        .first.first, .first.second
-    )]
+    #[error("the mesh intersects itself: triangles {} and {} meet ({count} such pairs); repair it first", .first.first, .first.second)]
     SelfIntersecting {
         /// The first pair, with a common point.
         first: Box<Crossing>,
