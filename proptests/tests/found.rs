@@ -1,13 +1,15 @@
 //! Minimal cases of disagreements that random cases found.
 #![allow(clippy::unwrap_used)]
 
-use homeo::certify::Claim;
+use homeo::certify::{CertifyError, Claim, Options, Silent, certify};
 use homeo::mesh::TriMesh;
 use homeo::shell::Shell;
 use homeo_proptests::Case;
 use homeo_proptests::campaign::{certified, compare, holds};
 use homeo_proptests::judged::inputs;
 use homeo_proptests::oracle::World;
+use homeo_proptests::recipe::{Move, Recipe};
+use homeo_proptests::sheets::Edit;
 
 fn tetrahedron() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let points = vec![[4., 4., 4.], [4., -4., -4.], [-4., 4., -4.], [-4., -4., 4.]];
@@ -78,4 +80,21 @@ fn a_pillar_wound_around_twice() {
     let case = Case { mesh, ..case };
     compare(&case).unwrap();
     assert!(!holds(&certified(&case, true).unwrap().unwrap(), Claim::Section));
+}
+
+/// A pillar wound around twice: in the order that flips a boundary wall the proved lift fails, but one turn further
+/// another lift does not. This was an internal contradiction; it is a named "no verdict".
+#[test]
+fn another_lift_in_another_order() {
+    let recipe = Recipe {
+        shape: 12,
+        pinched: vec![],
+        moves: vec![Move { at: 153, by: [0, 1, 0] }],
+        edge: None,
+        edits: vec![Edit { kind: 11, at: 106, pick: [188, 0, 0] }],
+        order: 0,
+    };
+    let case = recipe.build();
+    let answer = certify(&case.shell, Some(&case.mesh), &Options::default(), &Silent);
+    assert!(matches!(answer, Err(CertifyError::SeveralLifts { .. })), "{answer:?}");
 }

@@ -30,6 +30,17 @@ pub enum CertifyError {
         /// The simplex that the tets wind around.
         names: Vec<Name>,
     },
+    /// The shell overlaps itself and the mesh has several lifts: the one that proves `section` in the given order is no
+    /// section in another order, in which some other lift is one. Neither a certificate nor a witness of
+    /// `section-all-orders` can be given then.
+    #[error(
+        "section-all-orders: the shell overlaps itself, and in the vertex order that begins {} only another lift of the \
+         mesh is a section; claim `section` for the orders wanted", numbers(.first)
+    )]
+    SeveralLifts {
+        /// The vertices that come first in that order.
+        first: Vec<u32>,
+    },
     /// The caller asked to stop.
     #[error("interrupted before a verdict")]
     Cancelled,
@@ -43,4 +54,8 @@ pub enum CertifyError {
 
 fn listed(names: &[Name]) -> String {
     names.iter().map(ToString::to_string).collect::<Vec<_>>().join("-")
+}
+
+fn numbers(ids: &[u32]) -> String {
+    ids.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
 }

@@ -290,8 +290,7 @@ fn refute(
     }
     match section::decide(other, observer)? {
         Section::Refuted(witness) => Ok(AllOrders::Refuted { first, witness }),
-        Section::Certified(_) => {
-            Err(CertifyError::Internal { what: "an order that conflicts with the overlay but has a section" })
-        }
+        // The lift of the given order fails here, but where the shell overlaps itself another one may not.
+        Section::Certified(_) => Err(CertifyError::SeveralLifts { first }),
     }
 }

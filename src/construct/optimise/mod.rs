@@ -1,7 +1,7 @@
 //! Optimisation of a shell (*Shell* section 3.4): fewer, better shaped and thicker prisms around the same mesh.
 //!
 //! Operations propose in floats; what an operation would make is judged exactly before it is made
-//! ([`invariants`], [`prism::Prism::is_positive`], the topological conditions in each operation), so that nothing is
+//! (`invariants.rs`, `prism.rs`, the topological conditions in each operation), so that nothing is
 //! ever undone and the shell is valid at every moment.
 
 mod cast;
