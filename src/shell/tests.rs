@@ -293,7 +293,7 @@ fn straightness_is_exact() {
     };
     let tiny = f64::from_bits(1);
     assert!(pillar([0.5, 1.0, 1.5], [1.0, 2.0, 3.0]).is_straight(0));
-    assert!(!pillar([0.5, 1.0, 1.5 + f64::EPSILON], [1.0, 2.0, 3.0]).is_straight(0));
+    assert!(!pillar([0.5, 1.0, 1.5f64.next_up()], [1.0, 2.0, 3.0]).is_straight(0));
     assert!(!pillar([-0.5, -1.0, -1.5], [1.0, 2.0, 3.0]).is_straight(0), "on the line, off the segment");
     assert!(!pillar([0.5, tiny, 0.0], [1e308, 0.0, 0.0]).is_straight(0));
     assert!(pillar([tiny, tiny, 0.0], [1e308, 1e308, 0.0]).is_straight(0));
