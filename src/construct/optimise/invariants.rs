@@ -63,12 +63,22 @@ impl<'a> Judge<'a> {
     /// Do all invariants hold after the change, and the distortion bound, or is the distortion at least no worse than
     /// before?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
-        let after = state.prisms(change);
+        self.prefers(&state.prisms(change), || state.prisms_before(change))
+    }
+
+    /// Do all invariants hold of the prisms `after`, and the distortion bound, or is it at least no worse than in
+    /// those before?
+    pub(crate) fn prefers(&self, after: &[Prism], before: impl FnOnce() -> Vec<Prism>) -> bool {
         after.iter().all(Prism::is_positive)
-            && self.worst_cosine(&after).is_some_and(|cosine| {
+            && self.worst_cosine(after).is_some_and(|cosine| {
                 cosine >= self.least_cosine
-                    || self.worst_cosine(&state.prisms_before(change)).is_some_and(|before| cosine >= before)
+                    || self.worst_cosine(&before()).is_some_and(|before| cosine >= before)
             })
+    }
+
+    /// Do the invariants hold of a prism?
+    pub(crate) fn holds(&self, prism: &Prism) -> bool {
+        prism.is_positive() && self.worst_cosine(std::slice::from_ref(prism)).is_some()
     }
 
     /// The smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an
