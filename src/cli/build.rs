@@ -6,10 +6,12 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use super::CliError;
+use super::checkpoint::{self, Keeper};
 use super::output::{self, one_line};
 use super::progress::Progress;
 use crate::certify::{Options, Outcome, Silent, certify};
-use crate::construct::{BuildError, InitialOptions, OptimiseOptions, initial, optimise};
+use crate::construct::optimise::Optimiser;
+use crate::construct::{InitialOptions, OptimiseOptions, initial};
 use crate::mesh::{self, TriMesh};
 use crate::shell::Shell;
 use crate::shell::hdf5::{self, ShellFile};
@@ -31,6 +33,14 @@ pub(super) struct Args {
     /// Stop optimising after so many seconds, with the valid shell reached by then; Ctrl-C does the same
     #[arg(long, value_name = "SECONDS")]
     time_limit: Option<u64>,
+    /// Another order of operations, with another result
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Number of threads (1 to 1024); default: all cores. The result does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(flatten)]
+    checkpoint: checkpoint::Args,
     /// Write the shell without certifying it
     #[arg(long)]
     no_certify: bool,
@@ -44,15 +54,19 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
     if !(args.thickness.is_finite() && args.thickness > 0.0) {
         return Err(CliError::Usage("--thickness: a positive number is wanted".to_owned()));
     }
+    if let Some(threads) = args.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(usize::from(threads))
+            .build_global()
+            .map_err(|e| CliError::Threads(e.to_string()))?;
+    }
     let mesh = mesh::read(&args.mesh)?.mesh;
     let certificate = beside(&args.output);
     output::may_write(&args.output, &[args.mesh.as_path()])?;
     output::may_write(&certificate, &[args.mesh.as_path(), args.output.as_path()])?;
+    let mut keeper = Keeper::new(&args.checkpoint, &[&args.mesh, &args.output, &certificate])?;
     let start = Instant::now();
-    let (shell, how) = build(&mesh, args).map_err(|source| match source {
-        BuildError::Certify(crate::certify::CertifyError::Cancelled) => CliError::Interrupted,
-        source => CliError::Build { file: args.mesh.display().to_string(), source: Box::new(source) },
-    })?;
+    let (shell, how, stopped) = build(&mesh, args, &mut keeper)?;
     let seconds = start.elapsed().as_secs_f64();
     let mut out = format!(
         "{} prisms around {} triangles in {seconds:.1} s; {how}\n",
@@ -75,6 +89,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
             claims.join(", ")
         );
     }
+    if !stopped {
+        keeper.remove()?;
+    }
     output::print(&out)?;
     Ok(ExitCode::SUCCESS)
 }
@@ -86,27 +103,40 @@ fn beside(shell: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// The shell, and how it came about in words.
-fn build(mesh: &TriMesh, args: &Args) -> Result<(Shell, String), BuildError> {
-    let progress = Progress::new(args.quiet);
-    let first = initial(mesh, &InitialOptions { thickness: args.thickness }, &progress)?;
-    let pinched = first.pinched.iter().filter(|p| **p).count();
-    let prisms = first.shell.faces.len();
-    let start = format!(
-        "initial shell of {prisms} prisms, {} triangles beveled, {pinched} vertices pinched",
-        first.beveled
-    );
-    if args.initial {
-        return Ok((first.shell, start));
-    }
+/// The shell, how it came about in words, and whether it was stopped early.
+fn build(mesh: &TriMesh, args: &Args, keeper: &mut Keeper<'_>) -> Result<(Shell, String, bool), CliError> {
     let options = OptimiseOptions {
         thickness: args.thickness,
         time_limit: args.time_limit.map(Duration::from_secs),
+        seed: args.seed,
         ..OptimiseOptions::default()
     };
-    let done = optimise(mesh, &first.shell, &options, &progress)?;
-    let stopped = if done.stopped { "; optimisation was stopped early" } else { "" };
-    Ok((done.shell, format!("{start}{stopped}")))
+    let progress = Progress::new(args.quiet);
+    let failed = |source| checkpoint::failed(&args.mesh, source);
+    let resumed = if args.initial { None } else { keeper.resumed(mesh, &options)? };
+    let (mut work, mut how) = if let Some(work) = resumed {
+        (work, "resumed from the checkpoint".to_owned())
+    } else {
+        let first =
+            initial(mesh, &InitialOptions { thickness: args.thickness }, &progress).map_err(failed)?;
+        let pinched = first.pinched.iter().filter(|p| **p).count();
+        let prisms = first.shell.faces.len();
+        let how = format!(
+            "initial shell of {prisms} prisms, {} triangles beveled, {pinched} vertices pinched",
+            first.beveled
+        );
+        if args.initial {
+            return Ok((first.shell, how, false));
+        }
+        (Optimiser::new(mesh, &first.shell, &options).map_err(failed)?, how)
+    };
+    keeper.save(&work)?;
+    let stopped = work.run(&progress, |work| keeper.save_if_due(work))?;
+    keeper.save(&work)?;
+    if stopped {
+        how.push_str("; optimisation was stopped early");
+    }
+    Ok((work.shell(), how, stopped))
 }
 
 /// All claims, each certified: nothing else is written.

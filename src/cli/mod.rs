@@ -9,6 +9,7 @@
 mod build;
 mod certify;
 mod check;
+mod checkpoint;
 mod convert;
 mod demo;
 mod error;
