@@ -5,6 +5,7 @@
 //! condition is stricter). Contacts at a pinched vertex alone are excepted. With the manifold conditions that the
 //! operations check, the mesh stays a section in all vertex orders.
 
+use super::partner::Partner;
 use super::prism::Prism;
 use super::state::{Change, State};
 use super::tree::{Box3, Tree};
@@ -18,21 +19,23 @@ use crate::shell::Slab;
 pub(crate) struct Judge<'a> {
     pub(crate) mesh: &'a TriMesh,
     pub(crate) tree: Tree,
-    normals: Vec<[f64; 3]>,
+    pub(crate) normals: Vec<[f64; 3]>,
     /// The distortion bound: least cosine between a triangle's normal and the pillars of the tets that it touches.
     least_cosine: f64,
+    /// Of a joint shell: the other mesh.
+    pub(crate) partner: Option<Box<Partner<'a>>>,
 }
 
 /// What a prism is compared by.
-struct View<'p> {
-    prism: &'p Prism,
-    outside: [Box3; 2],
+pub(crate) struct View<'p> {
+    pub(crate) prism: &'p Prism,
+    pub(crate) outside: [Box3; 2],
     /// Unit vectors of the six halves, by slab and corner, for the distortion bound.
-    halves: [[[f64; 3]; 3]; 2],
+    pub(crate) halves: [[[f64; 3]; 3]; 2],
 }
 
 impl<'p> View<'p> {
-    fn new(prism: &'p Prism) -> Self {
+    pub(crate) fn new(prism: &'p Prism) -> Self {
         let half = |slab: Slab| {
             [0, 1, 2].map(|k| {
                 let [lo, hi] = prism.pillars[k].half(slab);
@@ -52,7 +55,7 @@ impl<'a> Judge<'a> {
     pub(crate) fn new(mesh: &'a TriMesh, least_cosine: f64) -> Self {
         let normals =
             mesh.faces.iter().map(|f| float_normal(f.map(|v| &mesh.vertices[v as usize]))).collect();
-        Self { mesh, tree: Tree::new(mesh), normals, least_cosine }
+        Self { mesh, tree: Tree::new(mesh), normals, least_cosine, partner: None }
     }
 
     /// The corners of a mesh triangle.
@@ -67,8 +70,17 @@ impl<'a> Judge<'a> {
     }
 
     /// Do all invariants hold of the prisms `after`, and the distortion bound, or is it at least no worse than in
-    /// those before?
-    pub(crate) fn prefers(&self, after: &[Prism], before: impl FnOnce() -> Vec<Prism>) -> bool {
+    /// those before? Nor may a partner be violated more.
+    pub(crate) fn prefers(&self, after: &[Prism], before: impl Fn() -> Vec<Prism>) -> bool {
+        self.keeps_prisms(after, &before) && self.partner.as_ref().is_none_or(|p| p.prefers(after, before))
+    }
+
+    /// As [`Self::admits`], whatever the partner.
+    pub(crate) fn keeps(&self, state: &State, change: &Change) -> bool {
+        self.keeps_prisms(&state.prisms(change), || state.prisms_before(change))
+    }
+
+    fn keeps_prisms(&self, after: &[Prism], before: impl FnOnce() -> Vec<Prism>) -> bool {
         after.iter().all(Prism::is_positive)
             && self.worst_cosine(after).is_some_and(|cosine| {
                 cosine >= self.least_cosine
@@ -129,9 +141,32 @@ impl<'a> Judge<'a> {
         apart.then_some(worst)
     }
 
+    /// The unit normals of the mesh triangles in some prisms.
+    pub(crate) fn normals_in(&self, prisms: &[Prism]) -> Vec<[f64; 3]> {
+        let mut found: Vec<u32> = Vec::new();
+        for prism in prisms {
+            self.tree.all(&Box3::of(prism.points()), |f| {
+                let triangle = self.corners(f);
+                let bounds = Box3::of(triangle);
+                let touches = |slab| {
+                    prism
+                        .tets(slab)
+                        .any(|(_, tet)| bounds.meets(&Box3::of(tet)) && triangle_tet(triangle, tet).meets())
+                };
+                if Slab::BOTH.into_iter().any(touches) {
+                    found.push(f);
+                }
+                true
+            });
+        }
+        found.sort_unstable();
+        found.dedup();
+        found.into_iter().map(|f| self.normals[f as usize]).collect()
+    }
+
     /// The cosines between the triangle's normal and the pillar halves of a slab, in floats; minus infinity where the
     /// exact dot product is not positive, and plus infinity at a pinched corner.
-    fn facing(&self, view: &View<'_>, slab: Slab, f: u32, [a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
+    pub(crate) fn facing(&self, view: &View<'_>, slab: Slab, f: u32, [a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
         let s = usize::from(slab == Slab::Top);
         [0, 1, 2].map(|k| {
             let [lo, hi] = view.prism.pillars[k].half(slab);
@@ -148,6 +183,6 @@ impl<'a> Judge<'a> {
 }
 
 /// Given that a triangle meets a part of the prism that has all its pinched corners in one point: is it that corner?
-fn at_pinch(prism: &Prism, triangle: [&[f64; 3]; 3]) -> bool {
+pub(crate) fn at_pinch(prism: &Prism, triangle: [&[f64; 3]; 3]) -> bool {
     (0..3).any(|k| prism.pinched[k] && point_in_triangle(&prism.pillars[k].middle, triangle).is_some())
 }

@@ -16,7 +16,9 @@ mod flip;
 mod invariants;
 mod limits;
 mod operation;
+mod partner;
 mod prism;
+mod repair;
 mod schedule;
 mod smooth;
 mod split;
@@ -35,6 +37,7 @@ use self::checkpoint::CheckpointError;
 use self::invariants::Judge;
 use self::limits::Limits;
 use self::operation::{Rules, Tried};
+use self::partner::Partner;
 use self::schedule::Position;
 use self::state::State;
 use super::gate::BuildError;
@@ -101,6 +104,26 @@ pub fn optimise(
     observer: &dyn Observer,
 ) -> Result<Optimised, BuildError> {
     let mut optimiser = Optimiser::new(mesh, shell, options)?;
+    let Ok(stopped) = optimiser.run(observer, |_| Ok::<(), Infallible>(()));
+    Ok(Optimised { shell: optimiser.shell(), counts: optimiser.counts(), stopped })
+}
+
+/// As [`optimise`], with a second mesh near the first that is to become a section of the shell, too: no operation makes
+/// the shell hold the partner less than before, and pillars are moved, and prisms split, for its sake. That the partner
+/// is a section in the end is not promised: certify it.
+///
+/// # Errors
+/// Those of [`Optimiser::new`], for both meshes.
+pub fn optimise_joint(
+    mesh: &TriMesh,
+    partner: &TriMesh,
+    shell: &Shell,
+    options: &OptimiseOptions,
+    observer: &dyn Observer,
+) -> Result<Optimised, BuildError> {
+    mesh::check(partner)?;
+    let mut optimiser = Optimiser::new(mesh, shell, options)?;
+    optimiser.work.rules.judge.partner = Some(Box::new(Partner::new(partner)));
     let Ok(stopped) = optimiser.run(observer, |_| Ok::<(), Infallible>(()));
     Ok(Optimised { shell: optimiser.shell(), counts: optimiser.counts(), stopped })
 }

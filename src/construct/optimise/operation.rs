@@ -7,7 +7,7 @@ use super::collapse::{self, Effort};
 use super::invariants::Judge;
 use super::limits::Limits;
 use super::state::{Change, State};
-use super::{flip, smooth, split};
+use super::{flip, repair, smooth, split};
 
 /// The ends of an edge, the smaller id first, or a vertex twice.
 pub(crate) type Key = [u32; 2];
@@ -21,6 +21,10 @@ pub(crate) enum Operation {
     /// The collapse with more effort.
     HardCollapse,
     Split,
+    /// Of joint shells: a pillar that suits the partner better.
+    Repair,
+    /// Of joint shells: a split that makes room for repairs.
+    Relief,
 }
 
 /// A change that all rules allow, and how many operations it is.
@@ -34,7 +38,7 @@ pub(crate) struct Rules<'a> {
 }
 
 impl Operation {
-    pub(crate) const COUNT: usize = 5;
+    pub(crate) const COUNT: usize = 7;
 
     /// What the operation would do. Reads nothing of the state but what [`State::is_settled`] at both ends covers.
     pub(crate) fn propose(self, state: &State, rules: &Rules<'_>, key: Key) -> Option<Proposal> {
@@ -46,6 +50,8 @@ impl Operation {
             Self::Collapse => collapse::propose(state, judge, limits, Effort::PLAIN, key).map(one),
             Self::HardCollapse => collapse::propose(state, judge, limits, Effort::HARD, key).map(one),
             Self::Split => split::propose(state, judge, limits, key).map(one),
+            Self::Repair => repair::propose(state, rules, key[0]).map(one),
+            Self::Relief => repair::split(state, rules, key).map(one),
         }
     }
 }

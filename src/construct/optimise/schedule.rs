@@ -7,9 +7,13 @@ use serde::{Deserialize, Serialize};
 
 use super::batch::{BATCH, Entry, Work, rank};
 use super::operation::{Key, Operation};
+use super::repair;
 
 /// How often coarsening and polishing are repeated at most.
 pub(crate) const REPEATS: u32 = 4;
+
+/// How often room is made for a partner that is still violated at the end.
+const RELIEFS: u32 = 12;
 
 /// How many operations were made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,8 +35,8 @@ impl Counts {
         let count = match operation {
             Operation::Collapse | Operation::HardCollapse => &mut self.collapses,
             Operation::Flip => &mut self.flips,
-            Operation::Split => &mut self.splits,
-            Operation::Smooth => &mut self.moves,
+            Operation::Split | Operation::Relief => &mut self.splits,
+            Operation::Smooth | Operation::Repair => &mut self.moves,
         };
         *count = count.saturating_add(made);
     }
@@ -45,15 +49,23 @@ pub(crate) enum Phase {
     Coarsen,
     /// Flips and smoothing; so many rounds are over.
     Polish(u32),
+    /// Of joint shells: splits where the partner is still violated, then flips, repairs and smoothing.
+    Relieve(u32),
     Done,
 }
 
 impl Phase {
+    /// The end, or another round of making room for the partner.
+    fn last(work: &Work<'_>, rounds: u32) -> Self {
+        if rounds < RELIEFS && work.violates_partner() { Self::Relieve(rounds) } else { Self::Done }
+    }
+
     /// In words, for a progress bar.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Coarsen => "coarsening",
             Self::Polish(_) => "polishing",
+            Self::Relieve(_) => "making room",
             Self::Done => "optimised",
         }
     }
@@ -123,12 +135,17 @@ impl Position {
 
     fn next_pass(&mut self, work: &mut Work<'_>, polish: u32) {
         let next = match (self.pass.operation(), self.phase) {
-            (Operation::Flip, _) => Operation::Smooth,
+            (Operation::Flip, _) if work.rules.judge.partner.is_some() => Operation::Repair,
+            (Operation::Flip | Operation::Repair, _) => Operation::Smooth,
+            (Operation::Relief, _) => Operation::Flip,
             (Operation::Smooth, Phase::Coarsen) if self.repeat == 0 => Operation::Collapse,
             (Operation::Smooth, Phase::Coarsen) => Operation::HardCollapse,
             _ => {
                 self.next_round(work, polish);
-                Operation::Flip
+                match self.phase {
+                    Phase::Relieve(_) => Operation::Relief,
+                    _ => Operation::Flip,
+                }
             }
         };
         if self.phase != Phase::Done {
@@ -148,20 +165,24 @@ impl Position {
                     return;
                 }
                 if self.repeat > 0 && live >= self.before_repeat {
-                    self.phase = Phase::Done;
+                    self.phase = Phase::last(work, 0);
                     return;
                 }
                 0
             }
+            Phase::Relieve(rounds) => {
+                self.phase = Phase::last(work, rounds.saturating_add(1));
+                return;
+            }
             Phase::Done => return,
         };
-        self.phase = if rounds < polish { Phase::Polish(rounds) } else { self.next_repeat(live) };
+        self.phase = if rounds < polish { Phase::Polish(rounds) } else { self.next_repeat(work, live) };
     }
 
-    fn next_repeat(&mut self, live: usize) -> Phase {
+    fn next_repeat(&mut self, work: &Work<'_>, live: usize) -> Phase {
         self.repeat += 1;
         (self.before_repeat, self.before_round) = (live, live);
-        if self.repeat < REPEATS { Phase::Coarsen } else { Phase::Done }
+        if self.repeat < REPEATS { Phase::Coarsen } else { Phase::last(work, 0) }
     }
 }
 
@@ -170,7 +191,8 @@ impl Work<'_> {
     fn pass(&mut self, operation: Operation) -> Pass {
         self.tried.forget(&self.state, operation);
         let keys: Vec<Key> = match operation {
-            Operation::Smooth => self.free_vertices(),
+            Operation::Smooth | Operation::Repair => self.free_vertices(),
+            Operation::Relief => self.narrow_edges(),
             Operation::Flip | Operation::Split => self.state.edges(),
             Operation::Collapse | Operation::HardCollapse => {
                 let queue = self.state.edges().into_iter().map(|e| self.entry(e)).collect();
@@ -181,6 +203,18 @@ impl Work<'_> {
         // Stable: with seed 0 all ranks are equal.
         keys.sort_by_key(|&key| rank(self.seed, key));
         Pass::List { operation, keys, next: 0 }
+    }
+
+    /// The edges of prisms that violate the partner, ascending.
+    fn narrow_edges(&self) -> Vec<Key> {
+        let Some(partner) = &self.rules.judge.partner else { return Vec::new() };
+        let mut edges = self.state.edges();
+        edges.retain(|&edge| repair::is_wanted(&self.state, partner, edge));
+        edges
+    }
+
+    fn violates_partner(&self) -> bool {
+        !self.narrow_edges().is_empty()
     }
 
     /// The vertices that may move, ascending.
