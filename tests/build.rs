@@ -128,7 +128,7 @@ fn the_bound_on_distortion_is_used() {
         let made = ["build", "m.off", "-o", "m.h5", "--json", "--no-certify", "--angle", angle];
         json_of(dir.path(), &made)["prisms"].as_u64().unwrap()
     };
-    assert!(prisms("5") > prisms("89"));
+    assert!(prisms("20") > prisms("89"));
 }
 
 /// An icosphere with bumps, as OFF.
@@ -163,7 +163,7 @@ mod interrupted {
         std::fs::write(dir.path().join("m.off"), bumpy(5)).unwrap();
         let mut child = Command::new(env!("CARGO_BIN_EXE_homeo"))
             .current_dir(dir.path())
-            .args(["build", "m.off", "-o", "m.h5", "--progress", "plain"])
+            .args(["build", "m.off", "-o", "m.h5", "--progress", "plain", "--distance"])
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
@@ -179,6 +179,7 @@ mod interrupted {
         child.stdout.take().unwrap().read_to_string(&mut said).unwrap();
         assert_eq!(child.wait().unwrap().code(), Some(0), "{said}");
         assert!(said.contains("stopped early") && said.contains("Checked:     valid"), "{said}");
+        assert!(said.starts_with("note: interrupted: the distance was not enclosed\n"), "{said}");
         let checked = homeo(dir.path(), &["check", "m.h5.cert", "m.h5"]);
         assert!(String::from_utf8_lossy(&checked.stdout).starts_with("valid\n"), "{checked:?}");
         let certified = homeo(dir.path(), &["certify", "m.h5", "--claim", "positivity"]);

@@ -131,13 +131,16 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
         parts.certify = Some(seconds);
         Some(outcome?)
     };
-    let distance = if args.distance {
+    let mut notes = read.notes;
+    let mut enclosed = None;
+    if args.distance {
         let (found, seconds) = timed(|| measured(&built.shell, &read.mesh, name(), &progress));
-        parts.distance = Some(seconds);
-        Some(found?)
-    } else {
-        None
-    };
+        enclosed = found?;
+        match enclosed {
+            Some(_) => parts.distance = Some(seconds),
+            None => notes.push("interrupted: the distance was not enclosed".to_owned()),
+        }
+    }
     progress.stage("writing", None);
     let file = ShellFile { shell: built.shell.clone(), mesh: Some(read.mesh), ..ShellFile::default() };
     parts.check = write(&file, outcome.as_ref(), &args.output, &certificate)?;
@@ -145,11 +148,11 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let facts = Facts {
         args: &args,
         file: name(),
-        notes: read.notes,
+        notes,
         mesh: file.mesh.as_ref(),
         built: &built,
         outcome: outcome.as_ref(),
-        distance: distance.as_ref(),
+        distance: enclosed.as_ref(),
         certificate: &certificate,
         stages,
         parts,
@@ -208,9 +211,18 @@ fn proved(shell: &Shell, mesh: &TriMesh, file: String, progress: &Progress) -> R
     }
 }
 
-fn measured(shell: &Shell, mesh: &TriMesh, file: String, progress: &Progress) -> Result<Distance, CliError> {
-    distance(shell, mesh, &Finishing(progress))
-        .map_err(|source| CliError::Build { file, source: Box::new(source) })
+/// The distance; `None` after Ctrl-C, which shall not lose the shell.
+fn measured(
+    shell: &Shell,
+    mesh: &TriMesh,
+    file: String,
+    progress: &Progress,
+) -> Result<Option<Distance>, CliError> {
+    match distance(shell, mesh, progress) {
+        Ok(found) => Ok(Some(found)),
+        Err(BuildError::Certify(CertifyError::Cancelled)) => Ok(None),
+        Err(source) => Err(CliError::Build { file, source: Box::new(source) }),
+    }
 }
 
 /// Writes the shell and its certificate, if there is one, and puts them in place if the independent checker accepts what

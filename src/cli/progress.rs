@@ -75,6 +75,8 @@ impl State {
 }
 
 fn message(stage: &str, prisms: u64) -> String {
+    // Reading is no stage of the work.
+    let stage = if stage.is_empty() { "reading" } else { stage };
     if prisms == 0 { stage.to_owned() } else { format!("{stage}, {prisms} prisms") }
 }
 
