@@ -9,7 +9,7 @@ use std::error::Error;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use homeo::mesh::{self, TriMesh};
+use homeo::mesh::{self, Format, TriMesh};
 use homeo_benches::generate::{sphere, unit_hash};
 use homeo_benches::table::Table;
 use homeo_benches::{built, results};
@@ -77,10 +77,10 @@ fn main() -> Res<ExitCode> {
 
 /// A noisy sphere of about so many triangles: `8 * frequency^2`.
 fn noisy(triangles: u32) -> TriMesh {
-    let frequency = (f64::from(triangles) / 8.0).sqrt().round().max(1.0);
-    let mut mesh = sphere(frequency as u32);
+    let frequency = (triangles / 8).isqrt().max(1);
+    let mut mesh = sphere(frequency);
     // A quarter of the equator has `frequency` edges; the radius is about a half.
-    let reach = NOISE * 0.5 * std::f64::consts::FRAC_PI_2 / frequency;
+    let reach = NOISE * 0.5 * std::f64::consts::FRAC_PI_2 / f64::from(frequency);
     for (v, p) in mesh.vertices.iter_mut().enumerate() {
         let factor = 1.0 + 2.0 * reach * (2.0 * unit_hash(v as u64) - 1.0);
         *p = p.map(|x| 0.5 + (x - 0.5) * factor);
@@ -91,7 +91,7 @@ fn noisy(triangles: u32) -> TriMesh {
 fn generated(size: u32) -> Res<Run> {
     let dir = tempfile::tempdir()?;
     let [file, shell] = ["noisy.off", "noisy.h5"].map(|name| dir.path().join(name));
-    mesh::write(&file, &noisy(size))?;
+    mesh::write(&file, &noisy(size), Format::Off)?;
     let report = built::build(&file, &shell, &[], LIMIT)??;
     let at = |path: &str| report.pointer(path).ok_or_else(|| format!("the report has no {path}"));
     let count = |path: &str| at(path).map(|v| v.as_u64().unwrap_or(0));

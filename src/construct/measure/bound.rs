@@ -102,7 +102,7 @@ impl<'a> Scene<'a> {
     /// The exact squared distance of a point (in units of `2^(unit - GRID)`) from the mesh, and a triangle at that distance.
     /// `some` is any triangle, best a near one.
     pub(super) fn squared(&self, point: &Vec3, some: u32) -> (Rat, u32) {
-        let mut best = (self.from_triangle(point, some), some);
+        let mut best = (self.triangle_square(point, some), some);
         let normal = |x: &IBig| {
             let power = Rat::from_scaled(1, self.unit - GRID.cast_signed() - self.size);
             Rational::to_f64(&Rat::from(x.clone()).times(&power))
@@ -112,7 +112,7 @@ impl<'a> Scene<'a> {
         let low = [0, 1, 2].map(|i| (normal(&point[i]).next_down() - root).next_down());
         let high = [0, 1, 2].map(|i| (normal(&point[i]).next_up() + root).next_up());
         for f in self.nearest.meeting([low, high]) {
-            let d = self.from_triangle(point, f);
+            let d = self.triangle_square(point, f);
             if d < best.0 {
                 best = (d, f);
             }
@@ -129,7 +129,7 @@ impl<'a> Scene<'a> {
         square.times(&Rat::from_scaled(1, 2 * (self.unit - GRID.cast_signed() - self.size)))
     }
 
-    fn from_triangle(&self, point: &Vec3, f: u32) -> Rat {
+    fn triangle_square(&self, point: &Vec3, f: u32) -> Rat {
         let corner = |v: u32| -> Vec3 { self.integers[v as usize].clone().map(|x| x << GRID as usize) };
         let corners = self.mesh.faces[f as usize].map(corner);
         let sides = [[0, 1], [1, 2], [2, 0]].map(|[i, j]| [&corners[i], &corners[j]]);
@@ -140,12 +140,12 @@ impl<'a> Scene<'a> {
             let height = dot(&normal, &minus(point, &corners[0]));
             return quotient(&height * &height, square);
         }
-        let least = sides.map(|[p, q]| from_segment(point, p, q)).into_iter().min();
+        let least = sides.map(|[p, q]| segment_square(point, p, q)).into_iter().min();
         least.unwrap_or_else(Rat::zero)
     }
 }
 
-fn from_segment(point: &Vec3, p: &Vec3, q: &Vec3) -> Rat {
+fn segment_square(point: &Vec3, p: &Vec3, q: &Vec3) -> Rat {
     let (along, from) = (minus(q, p), minus(point, p));
     let (t, length) = (dot(&along, &from), dot(&along, &along));
     if t <= IBig::ZERO {
@@ -175,7 +175,8 @@ pub(super) fn on_grid(weights: &[f64], bits: u32) -> Vec<u64> {
     let mut left = one;
     let mut out: Vec<u64> = Vec::with_capacity(weights.len());
     for w in weights {
-        // A cast of a float saturates.
+        // Not negative; a cast of a float saturates.
+        #[allow(clippy::cast_sign_loss)]
         let part = ((good(w) * one as f64) as u64).min(left);
         left -= part;
         out.push(part);
