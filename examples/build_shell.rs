@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use homeo::certify::{Options, Silent, certify};
-use homeo::construct::{InitialOptions, OptimiseOptions, initial, optimise};
+use homeo::construct::{InitialOptions, OptimiseOptions, Thickness, initial, optimise};
 use homeo::mesh;
 use homeo::shell::Shell;
 use homeo::shell::hdf5::{self, ShellFile};
@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = args
         .first()
         .ok_or("usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [-o FILE.h5]")?;
-    let thick = option("--thickness").map_or(Ok(0.05), |t| t.parse())?;
+    let thick = Thickness::Share(option("--thickness").map_or(Ok(0.05), |t| t.parse())?);
     let angle = option("--angle").map_or(Ok(0.001f64.acos().to_degrees()), |t| t.parse())?;
     let polish = option("--polish").map_or(Ok(20), |t| t.parse())?;
     let mesh = mesh::read(Path::new(path))?.mesh;

@@ -36,3 +36,4 @@ pub use observer::{Observer, Silent};
 pub use proof::{ClaimResult, Count, Options, Outcome, Refutation, certify};
 pub use separate::{PlaneName, PointName};
 pub use witness::{BadTet, Branch, Ending, Leg, NoLift, Root, Step};
+pub(crate) use write::{mesh_hash, shell_hash};

@@ -81,11 +81,13 @@ fn hash<'p>(points: impl Iterator<Item = &'p [f64; 3]>, faces: &[[u32; 3]]) -> S
     out
 }
 
-fn shell_hash(shell: &Shell) -> String {
+/// The SHA-256 of a shell, as in certificates.
+pub(crate) fn shell_hash(shell: &Shell) -> String {
     hash(shell.bottom.iter().chain(&shell.middle).chain(&shell.top), &shell.faces)
 }
 
-fn mesh_hash(mesh: &TriMesh) -> String {
+/// The SHA-256 of a mesh, as in certificates.
+pub(crate) fn mesh_hash(mesh: &TriMesh) -> String {
     hash(mesh.vertices.iter(), &mesh.faces)
 }
 

@@ -39,7 +39,8 @@ pub(super) fn answer(outcome: &homeo_certs::Outcome) -> String {
     out
 }
 
-fn first_line(outcome: &homeo_certs::Outcome) -> String {
+/// The status with its code and message.
+pub(super) fn first_line(outcome: &homeo_certs::Outcome) -> String {
     let mut out = outcome.status.to_owned();
     for (before, part) in [(" ", outcome.code), (" : ", outcome.message.as_str())] {
         if !part.is_empty() {

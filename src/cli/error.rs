@@ -69,6 +69,17 @@ pub enum CliError {
         /// The first refutation.
         reason: String,
     },
+    /// The independent checker did not accept the files as written; they were removed. An error of the program.
+    #[error(
+        "{file}: internal contradiction, please report it with the input: the independent checker says `{answer}` about the \
+         shell and the certificate as written; nothing was left in place"
+    )]
+    NotAccepted {
+        /// The shell file.
+        file: String,
+        /// The checker's first line.
+        answer: String,
+    },
     /// A shell could not be written for ParaView.
     #[error(transparent)]
     Vtu(#[from] VtuError),

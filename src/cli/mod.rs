@@ -1,12 +1,14 @@
 //! The `homeo` command line: one file a command; parses, calls the library, prints. No geometry.
 //!
 //! Exit codes: 0 certified (or: done, valid), 1 refuted (or: has defects), 2 usage or input error. `check` has the
-//! codes of `homeo-check`: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
+//! codes of `homeo-check`: 0 valid, 1 invalid, 2 malformed, 3 limit reached. `build` stopped by a first Ctrl-C while it
+//! optimises ends with 0: the shell is written and certified; a second Ctrl-C ends any command at once, with 2.
 
 // Errors here end the process: their size does not matter.
 #![allow(clippy::result_large_err)]
 
 mod build;
+mod build_report;
 mod certify;
 mod check;
 mod convert;
@@ -66,7 +68,7 @@ pub fn main() -> ExitCode {
     };
     let done = match cli.command {
         Command::Demo(args) => demo::run(&args),
-        Command::Build(args) => build::run(&args),
+        Command::Build(args) => build::run(args),
         Command::Convert(args) => convert::run(&args),
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),

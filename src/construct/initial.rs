@@ -10,17 +10,37 @@ use crate::certify::Observer;
 use crate::mesh::{Connectivity, TriMesh};
 use crate::shell::Shell;
 
-/// How to build.
-#[derive(Clone, Copy, Debug)]
-pub struct InitialOptions {
-    /// Largest thickness of each half, as a share of the longest edge of the mesh's bounding box.
-    pub thickness: f64,
+/// Largest thickness of each half of a shell. A wish that steers: whatever it is, what is built is judged exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Thickness {
+    /// A share of the longest edge of the mesh's bounding box.
+    Share(f64),
+    /// A length in the mesh's units.
+    Absolute(f64),
 }
 
-impl Default for InitialOptions {
-    fn default() -> Self {
-        Self { thickness: 0.1 }
+impl Thickness {
+    /// The length for a mesh.
+    #[must_use]
+    pub fn length(self, mesh: &TriMesh) -> f64 {
+        match self {
+            Self::Share(share) => share * longest_box_edge(mesh),
+            Self::Absolute(length) => length,
+        }
     }
+}
+
+impl Default for Thickness {
+    fn default() -> Self {
+        Self::Share(0.1)
+    }
+}
+
+/// How to build.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct InitialOptions {
+    /// Largest thickness of each half.
+    pub thickness: Thickness,
 }
 
 /// An initial shell.
@@ -63,7 +83,7 @@ pub fn initial(
         .collect();
     let mut pinched: Vec<bool> =
         directions.iter().map(|d| matches!(d, Direction::Singular(_) | Direction::Undecided)).collect();
-    let most = options.thickness * longest_box_edge(mesh);
+    let most = options.thickness.length(mesh);
     Pillars { mesh, connectivity: &connectivity, direction: &mut direction, pinched: &mut pinched }.settle();
     loop {
         let input = Input { mesh, connectivity: &connectivity, direction: &direction, pinched: &pinched };

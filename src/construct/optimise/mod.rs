@@ -20,6 +20,8 @@ mod tree;
 
 use std::time::Duration;
 
+pub(crate) use energy::mips;
+pub(crate) use limits::distance as length;
 pub use schedule::Counts;
 
 use self::invariants::Judge;
@@ -27,7 +29,7 @@ use self::limits::Limits;
 use self::schedule::{Stop, Work};
 use self::state::State;
 use super::gate::BuildError;
-use super::initial::longest_box_edge;
+use super::initial::Thickness;
 use crate::certify::{CertifyError, Observer};
 use crate::mesh::{self, Connectivity, TriMesh};
 use crate::shell::{Shell, validate};
@@ -35,8 +37,8 @@ use crate::shell::{Shell, validate};
 /// How to optimise.
 #[derive(Clone, Copy, Debug)]
 pub struct OptimiseOptions {
-    /// Largest thickness of each half, as a share of the longest edge of the mesh's bounding box.
-    pub thickness: f64,
+    /// Largest thickness of each half.
+    pub thickness: Thickness,
     /// Largest MIPS energy of a middle triangle that a collapse may make (2 is an equilateral triangle).
     pub max_energy: f64,
     /// Distortion bound: no operation makes a mesh triangle touch a tet whose pillar is further than this from its
@@ -50,7 +52,13 @@ pub struct OptimiseOptions {
 
 impl Default for OptimiseOptions {
     fn default() -> Self {
-        Self { thickness: 0.1, max_energy: 30.0, max_angle_degrees: 89.95, polish: 20, time_limit: None }
+        Self {
+            thickness: Thickness::default(),
+            max_energy: 30.0,
+            max_angle_degrees: 89.95,
+            polish: 20,
+            time_limit: None,
+        }
     }
 }
 
@@ -86,7 +94,7 @@ pub fn optimise(
     let mut work = Work {
         state: State::new(shell, &connectivity),
         judge: Judge::new(mesh, options.max_angle_degrees.to_radians().cos().max(0.0)),
-        limits: Limits { thickness: options.thickness * longest_box_edge(mesh), energy: options.max_energy },
+        limits: Limits { thickness: options.thickness.length(mesh), energy: options.max_energy },
         counts: Counts::default(),
         tried: schedule::Tried::default(),
     };
