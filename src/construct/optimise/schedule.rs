@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::batch::{BATCH, Entry, Work, rank};
 use super::operation::{Key, Operation};
+use super::split;
 
 /// How often coarsening and polishing are repeated at most.
 pub(crate) const REPEATS: u32 = 4;
@@ -126,9 +127,11 @@ impl Position {
             (Operation::Flip, _) => Operation::Smooth,
             (Operation::Smooth, Phase::Coarsen) if self.repeat == 0 => Operation::Collapse,
             (Operation::Smooth, Phase::Coarsen) => Operation::HardCollapse,
+            (Operation::Split, _) => Operation::Flip,
             _ => {
                 self.next_round(work, polish);
-                Operation::Flip
+                // Once a repeat, so that splits and collapses do not undo each other for ever.
+                if self.phase == Phase::Polish(0) { Operation::Split } else { Operation::Flip }
             }
         };
         if self.phase != Phase::Done {
@@ -171,7 +174,12 @@ impl Work<'_> {
         self.tried.forget(&self.state, operation);
         let keys: Vec<Key> = match operation {
             Operation::Smooth => self.free_vertices(),
-            Operation::Flip | Operation::Split => self.state.edges(),
+            Operation::Flip => self.state.edges(),
+            Operation::Split => {
+                let mut edges = self.state.edges();
+                edges.retain(|&e| split::is_wanted(&self.state, &self.rules.limits, e));
+                edges
+            }
             Operation::Collapse | Operation::HardCollapse => {
                 let queue = self.state.edges().into_iter().map(|e| self.entry(e)).collect();
                 return Pass::Queue { operation, queue };

@@ -162,9 +162,10 @@ impl<'a> Vertex<'a> {
             if (0..2).any(|k| which[k] && !grows[k]) {
                 continue;
             }
+            // Halved in its logarithm: thin pillars grow little by little, too.
+            let length = |k: usize, share: f64| from[k] * root(goal[k] / from[k], share);
             let step = |share: f64| {
-                let [down, up] =
-                    [0, 1].map(|k| if which[k] { from[k] + share * (goal[k] - from[k]) } else { from[k] });
+                let [down, up] = [0, 1].map(|k| if which[k] { length(k, share) } else { from[k] });
                 with_lengths(&old.middle, &d, down, up)
             };
             if self.attempt(step, |_| true) {
@@ -173,6 +174,16 @@ impl<'a> Vertex<'a> {
         }
         false
     }
+}
+
+/// `factor` to the power of `share`, 1 over a power of two: by roots, which are the same on every machine.
+fn root(factor: f64, share: f64) -> f64 {
+    let (mut out, mut power) = (factor, 1.0);
+    while power > share {
+        out = out.sqrt();
+        power *= 0.5;
+    }
+    out
 }
 
 fn total(prisms: &[Prism]) -> f64 {
