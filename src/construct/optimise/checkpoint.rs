@@ -190,9 +190,13 @@ fn check(saved: &Saved) -> Result<(), &'static str> {
         return Err("a vertex that does not exist was tried");
     }
     let Position { repeat, pass, before_repeat, before_round, .. } = &saved.position;
+    // One vertex is no edge: an operation on edges might take it for one.
+    let is_key = |operation: Operation, key: &Key| {
+        are_vertices(key) && if operation == Operation::Smooth { key[0] == key[1] } else { key[0] < key[1] }
+    };
     let keys_exist = match pass {
-        Pass::List { keys, .. } => keys.iter().all(are_vertices),
-        Pass::Queue { queue, .. } => queue.iter().all(|entry| are_vertices(&entry.0.2)),
+        Pass::List { operation, keys, .. } => keys.iter().all(|key| is_key(*operation, key)),
+        Pass::Queue { operation, queue } => queue.iter().all(|entry| is_key(*operation, &entry.0.2)),
     };
     let sound = |count: &usize| *count as u64 <= MOST;
     if !keys_exist || *repeat > REPEATS || !sound(before_repeat) || !sound(before_round) {
