@@ -130,8 +130,10 @@ impl Position {
             (Operation::Split, _) => Operation::Flip,
             _ => {
                 self.next_round(work, polish);
-                // Once a repeat, so that splits and collapses do not undo each other for ever.
-                if self.phase == Phase::Polish(0) { Operation::Split } else { Operation::Flip }
+                // Once, so that splits and collapses do not undo each other for ever; later coarsening takes away
+                // what has not helped.
+                let first = self.repeat == 0 && self.phase == Phase::Polish(0);
+                if first { Operation::Split } else { Operation::Flip }
             }
         };
         if self.phase != Phase::Done {
