@@ -32,18 +32,24 @@ fn longest_box_edge(points: &[[f64; 3]]) -> f64 {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let option = |name: &str| args.iter().position(|a| a == name).and_then(|i| args.get(i + 1));
-    let path = args
-        .first()
-        .ok_or("usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [-o FILE.h5]")?;
+    let path = args.first().ok_or(
+        "usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [--seed N] [-o FILE.h5]",
+    )?;
     let thick = Thickness::Share(option("--thickness").map_or(Ok(0.05), |t| t.parse())?);
     let angle = option("--angle").map_or(Ok(0.001f64.acos().to_degrees()), |t| t.parse())?;
     let polish = option("--polish").map_or(Ok(20), |t| t.parse())?;
+    let seed = option("--seed").map_or(Ok(0), |t| t.parse())?;
     let mesh = mesh::read(Path::new(path))?.mesh;
     let start = Instant::now();
     let first = initial(&mesh, &InitialOptions { thickness: thick }, &Silent)?;
     let middle = start.elapsed().as_secs_f64();
-    let options =
-        OptimiseOptions { thickness: thick, max_angle_degrees: angle, polish, ..OptimiseOptions::default() };
+    let options = OptimiseOptions {
+        thickness: thick,
+        max_angle_degrees: angle,
+        polish,
+        seed,
+        ..OptimiseOptions::default()
+    };
     let built = optimise(&mesh, &first.shell, &options, &Silent)?;
     let seconds = start.elapsed().as_secs_f64();
     let [min, mean] = thickness(&built.shell, longest_box_edge(&mesh.vertices));

@@ -7,12 +7,13 @@ use std::time::{Duration, Instant};
 use super::CliError;
 use super::build_report::{Facts, report, words};
 use super::check::first_line;
+use super::checkpoint::{self, Keeper};
 use super::output::{self, Json, Staged};
 use super::progress::{Finishing, Progress, Style};
 use crate::certify::{CertifyError, Observer as _, Options, Outcome, certify};
 use crate::construct::measure::{Distance, distance};
-use crate::construct::optimise::Counts;
-use crate::construct::{BuildError, Initial, InitialOptions, OptimiseOptions, Thickness, initial, optimise};
+use crate::construct::optimise::{Counts, Optimiser};
+use crate::construct::{BuildError, Initial, InitialOptions, OptimiseOptions, Thickness, initial};
 use crate::mesh::{self, TriMesh};
 use crate::report::Parts;
 use crate::shell::Shell;
@@ -48,6 +49,14 @@ pub(super) struct Args {
     /// Stop optimising after so many seconds, with the valid shell reached by then; Ctrl-C does the same
     #[arg(long, value_name = "SECONDS")]
     pub(super) time_limit: Option<u64>,
+    /// Another order of operations, with another result
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Number of threads (1 to 1024); default: all cores. The result does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(flatten)]
+    checkpoint: checkpoint::Args,
     /// Enclose the largest distance from the middle surface to the mesh
     #[arg(long)]
     distance: bool,
@@ -92,6 +101,7 @@ impl Args {
             max_angle_degrees: self.angle,
             polish: self.polish,
             time_limit: self.time_limit.map(Duration::from_secs),
+            seed: self.seed,
         })
     }
 }
@@ -111,17 +121,16 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let path = args.mesh.take().ok_or_else(|| CliError::Usage("no mesh: give a mesh file".to_owned()))?;
     let certificate = beside(&args.output);
     may_write(&path, &args.output, &certificate, &json)?;
+    let mut keeper = Keeper::new(&args.checkpoint, &others(&path, &args.output, &certificate, &json))?;
+    super::threads(args.threads)?;
     let progress = Progress::styled(args.quiet, args.progress);
     let mut parts = Parts::default();
     let (read, seconds) = timed(|| mesh::read(&path));
     let read = read?;
     parts.read = seconds;
     let name = || path.display().to_string();
-    let (built, seconds) = timed(|| build(&read.mesh, &options, args.initial, &progress));
-    let built = built.map_err(|source| match source {
-        BuildError::Certify(CertifyError::Cancelled) => CliError::Interrupted,
-        source => CliError::Build { file: name(), source: Box::new(source) },
-    })?;
+    let (built, seconds) = timed(|| build(&path, &read.mesh, (&args, &options), &mut keeper, &progress));
+    let built = built?;
     parts.build = seconds;
     let stages = progress.stages();
     let outcome = if args.no_certify {
@@ -144,6 +153,9 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     progress.stage("writing", None);
     let file = ShellFile { shell: built.shell.clone(), mesh: Some(read.mesh), ..ShellFile::default() };
     parts.check = write(&file, outcome.as_ref(), &args.output, &certificate)?;
+    if !built.stopped {
+        keeper.remove()?;
+    }
     drop(progress);
     let facts = Facts {
         args: &args,
@@ -175,6 +187,11 @@ fn may_write(mesh: &Path, shell: &Path, certificate: &Path, json: &Json) -> Resu
     json.file().map_or(Ok(()), |file| output::may_write(file, &[mesh, shell, certificate]))
 }
 
+/// All files but the checkpoint.
+fn others<'p>(mesh: &'p Path, shell: &'p Path, certificate: &'p Path, json: &'p Json) -> Vec<&'p Path> {
+    [mesh, shell, certificate].into_iter().chain(json.file()).collect()
+}
+
 /// The certificate's file name.
 fn beside(shell: &Path) -> PathBuf {
     let mut name = shell.as_os_str().to_owned();
@@ -182,20 +199,29 @@ fn beside(shell: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
+/// From the checkpoint, if there is one. Its initial shell is built once more all the same: the report is about it, too.
 fn build(
+    path: &Path,
     mesh: &TriMesh,
-    options: &OptimiseOptions,
-    only_initial: bool,
+    (args, options): (&Args, &OptimiseOptions),
+    keeper: &mut Keeper<'_>,
     progress: &Progress,
-) -> Result<Built, BuildError> {
-    let first = initial(mesh, &InitialOptions { thickness: options.thickness }, progress)?;
+) -> Result<Built, CliError> {
+    let failed = |source| checkpoint::failed(path, source);
+    let resumed = if args.initial { None } else { keeper.resumed(mesh, options)? };
+    let first = initial(mesh, &InitialOptions { thickness: options.thickness }, progress).map_err(failed)?;
     progress.prisms(first.shell.faces.len() as u64);
-    if only_initial {
+    if args.initial {
         return Ok(Built { shell: first.shell.clone(), first, counts: None, stopped: false });
     }
-    let done = optimise(mesh, &first.shell, options, progress)?;
-    progress.prisms(done.shell.faces.len() as u64);
-    Ok(Built { shell: done.shell, first, counts: Some(done.counts), stopped: done.stopped })
+    let mut work = match resumed {
+        Some(work) => work,
+        None => Optimiser::new(mesh, &first.shell, options).map_err(failed)?,
+    };
+    keeper.save(&work)?;
+    let stopped = work.run(progress, |work| keeper.save_if_due(work))?;
+    keeper.save(&work)?;
+    Ok(Built { shell: work.shell(), first, counts: Some(work.counts()), stopped })
 }
 
 /// All claims, each certified: nothing else is written.

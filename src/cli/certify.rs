@@ -80,12 +80,7 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
         None => Json::from_arguments(args.json.take(), &mut args.shell),
     };
     let claims = args.claims()?;
-    if let Some(threads) = args.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(usize::from(threads))
-            .build_global()
-            .map_err(|e| CliError::Threads(e.to_string()))?;
-    }
+    super::threads(args.threads)?;
     let progress = Progress::new(args.quiet);
     let loaded = Loaded::read(args.shell.as_deref(), &args.three, args.mesh.as_deref())?;
     let order = input::order(&args.order, loaded.shell().vertex_count())?;

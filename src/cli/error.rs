@@ -2,6 +2,7 @@
 
 use crate::certify::CertifyError;
 use crate::construct::BuildError;
+use crate::construct::optimise::checkpoint::CheckpointError;
 use crate::mesh::MeshError;
 use crate::shell::hdf5;
 use crate::shell::three::ThreeError;
@@ -60,6 +61,14 @@ pub enum CliError {
         file: String,
         /// The reason.
         source: Box<BuildError>,
+    },
+    /// A checkpoint is not resumed from.
+    #[error("{file}: {source}")]
+    Checkpoint {
+        /// The checkpoint file.
+        file: String,
+        /// The reason.
+        source: Box<CheckpointError>,
     },
     /// A shell that was built did not certify; nothing was written. An error of the program: please report it.
     #[error("{file}: the shell that was built does not certify, so nothing was written: {reason}")]

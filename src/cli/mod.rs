@@ -11,6 +11,7 @@ mod build;
 mod build_report;
 mod certify;
 mod check;
+mod checkpoint;
 mod convert;
 mod demo;
 mod error;
@@ -80,4 +81,11 @@ pub fn main() -> ExitCode {
         output::complain(&error);
         ExitCode::from(2)
     })
+}
+
+/// Sets the number of threads, if one is asked for.
+fn threads(number: Option<u16>) -> Result<(), CliError> {
+    let Some(number) = number else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(number));
+    pool.build_global().map_err(|e| CliError::Threads(e.to_string()))
 }

@@ -10,7 +10,7 @@ use super::state::{Change, State};
 use super::tree::{Box3, Tree};
 use crate::construct::direction::{float_dot, float_normal, unit};
 use crate::mesh::TriMesh;
-use crate::predicate::{Meeting, dot_sign, point_in_triangle, triangle_tet, triangle_triangle};
+use crate::predicate::{Meeting, dot_sign, orient3d, point_in_triangle, triangle_tet, triangle_triangle};
 use crate::shell::Slab;
 
 /// Judges prisms against a mesh.
@@ -27,6 +27,7 @@ pub(crate) struct Judge<'a> {
 struct View<'p> {
     prism: &'p Prism,
     outside: [Box3; 2],
+    slabs: [Box3; 2],
     /// Unit vectors of the six halves, by slab and corner, for the distortion bound.
     halves: [[[f64; 3]; 3]; 2],
 }
@@ -42,6 +43,7 @@ impl<'p> View<'p> {
         Self {
             prism,
             outside: Slab::BOTH.map(|slab| Box3::of(prism.outside(slab))),
+            slabs: Slab::BOTH.map(|slab| Box3::of(prism.outside(slab).into_iter().chain(prism.middle()))),
             halves: Slab::BOTH.map(half),
         }
     }
@@ -63,15 +65,25 @@ impl<'a> Judge<'a> {
     /// Do all invariants hold after the change, and the distortion bound, or is the distortion at least no worse than
     /// before?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
-        let after = state.prisms(change);
+        self.prefers(&state.prisms(change), || state.prisms_before(change))
+    }
+
+    /// Do all invariants hold of the prisms `after`, and the distortion bound, or is it at least no worse than in
+    /// those before?
+    pub(crate) fn prefers(&self, after: &[Prism], before: impl FnOnce() -> Vec<Prism>) -> bool {
         after.iter().all(Prism::is_positive)
-            && self.worst_cosine(&after).is_some_and(|cosine| {
+            && self.worst_cosine(after).is_some_and(|cosine| {
                 cosine >= self.least_cosine
-                    || self.worst_cosine(&state.prisms_before(change)).is_some_and(|before| cosine >= before)
+                    || self.worst_cosine(&before()).is_some_and(|before| cosine >= before)
             })
     }
 
-    /// The smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an
+    /// Do the invariants hold of a prism?
+    pub(crate) fn holds(&self, prism: &Prism) -> bool {
+        prism.is_positive() && self.worst_cosine(std::slice::from_ref(prism)).is_some()
+    }
+
+    /// Of positive prisms: the smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an
     /// invariant about the mesh is broken.
     fn worst_cosine(&self, prisms: &[Prism]) -> Option<f64> {
         let mut worst = self.least_cosine;
@@ -91,14 +103,17 @@ impl<'a> Judge<'a> {
         let triangle = self.corners(f);
         let bounds = Box3::of(triangle);
         let mut worst = self.least_cosine;
-        for slab in Slab::BOTH {
+        for (s, slab) in Slab::BOTH.into_iter().enumerate() {
+            if !bounds.meets(&view.slabs[s]) {
+                continue;
+            }
             let facing = self.facing(view, slab, f, triangle);
             if facing.iter().all(|cosine| *cosine >= self.least_cosine) {
                 continue;
             }
             for (corner, tet) in view.prism.tets(slab) {
                 let cosine = facing[corner];
-                if cosine < worst && bounds.meets(&Box3::of(tet)) {
+                if cosine < worst && bounds.meets(&Box3::of(tet)) && !is_beyond_a_face(triangle, tet) {
                     let met = triangle_tet(triangle, tet);
                     if met.meets() && !(met == Meeting::Point && at_pinch(view.prism, triangle)) {
                         if cosine == f64::NEG_INFINITY {
@@ -113,7 +128,8 @@ impl<'a> Judge<'a> {
             if !bounds.meets(&view.outside[s]) {
                 return true;
             }
-            let met = triangle_triangle(triangle, view.prism.outside(slab));
+            // The plane of the larger one first: it has most triangles on one side.
+            let met = triangle_triangle(view.prism.outside(slab), triangle);
             !met.meets() || (met == Meeting::Point && at_pinch(view.prism, triangle))
         });
         apart.then_some(worst)
@@ -135,6 +151,15 @@ impl<'a> Judge<'a> {
             }
         })
     }
+}
+
+/// Is the triangle strictly beyond the plane of a face of the tet, which is positive? Then they do not meet: this
+/// answers most pairs with fewer signs than [`triangle_tet`].
+fn is_beyond_a_face(triangle: [&[f64; 3]; 3], [a, b, c, d]: [&[f64; 3]; 4]) -> bool {
+    // Even permutations of the tet: the fourth corner is on the positive side of each face.
+    [[a, b, c], [a, d, b], [a, c, d], [b, d, c]]
+        .into_iter()
+        .any(|[p, q, r]| triangle.into_iter().all(|x| orient3d(p, q, r, x).is_negative()))
 }
 
 /// Given that a triangle meets a part of the prism that has all its pinched corners in one point: is it that corner?

@@ -3,30 +3,41 @@
 //! Operations propose in floats; what an operation would make is judged exactly before it is made
 //! (`invariants.rs`, `prism.rs`, the topological conditions in each operation), so that nothing is
 //! ever undone and the shell is valid at every moment.
+//!
+//! Proposals change nothing, so that a batch of them is made in parallel (`batch.rs`); the result is that of making them
+//! one after the other. Between two batches the work can be stopped, and saved to be resumed (`checkpoint.rs`).
 
+mod batch;
 mod cast;
+pub mod checkpoint;
 mod collapse;
 mod energy;
 mod flip;
 mod invariants;
 mod limits;
+mod operation;
 mod prism;
 mod schedule;
 mod smooth;
+mod split;
 mod state;
 #[cfg(test)]
 mod tests;
 mod tree;
 
-use std::time::Duration;
+use std::convert::Infallible;
+use std::time::{Duration, Instant};
 
 pub(crate) use energy::mips;
 pub(crate) use limits::distance as length;
 pub use schedule::Counts;
 
+use self::batch::{BATCH, Work};
+use self::checkpoint::CheckpointError;
 use self::invariants::Judge;
 use self::limits::Limits;
-use self::schedule::{Stop, Work};
+use self::operation::{Rules, Tried};
+use self::schedule::Position;
 use self::state::State;
 use super::gate::BuildError;
 use super::initial::Thickness;
@@ -48,6 +59,10 @@ pub struct OptimiseOptions {
     pub polish: usize,
     /// When to stop with what has been reached.
     pub time_limit: Option<Duration>,
+    /// Another order of operations with another result, as good a priori. With 0, edges to flip and vertices to smooth
+    /// are visited in the order of their ids, and of equally long edges the one with the smaller ids is collapsed
+    /// first; with another seed a hash of seed and ids takes the ids' place.
+    pub seed: u64,
 }
 
 impl Default for OptimiseOptions {
@@ -58,6 +73,7 @@ impl Default for OptimiseOptions {
             max_angle_degrees: 89.95,
             polish: 20,
             time_limit: None,
+            seed: 0,
         }
     }
 }
@@ -74,30 +90,127 @@ pub struct Optimised {
 }
 
 /// Optimises a shell that is valid around a mesh (claims C1 to C3+; for instance [`initial`](super::initial)'s): the
-/// result is valid, too. Deterministic, unless stopped.
+/// result is valid, too. Deterministic, unless stopped: the number of threads does not matter.
 ///
 /// Every operation costs O(log n + k) for n mesh triangles, k of which are near its prisms.
 ///
 /// # Errors
-/// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section 1).
-/// The claims themselves are not checked here: on a shell that is not valid the result is not, either.
+/// Those of [`Optimiser::new`].
 pub fn optimise(
     mesh: &TriMesh,
     shell: &Shell,
     options: &OptimiseOptions,
     observer: &dyn Observer,
 ) -> Result<Optimised, BuildError> {
-    mesh::check(mesh)?;
-    validate::validate(shell).map_err(CertifyError::from)?;
-    let connectivity = Connectivity::new(shell.middle.len(), &shell.faces)?;
-    let mut stop = Stop::new(observer, options.time_limit);
-    let mut work = Work {
-        state: State::new(shell, &connectivity),
+    let mut optimiser = Optimiser::new(mesh, shell, options)?;
+    let Ok(stopped) = optimiser.run(observer, |_| Ok::<(), Infallible>(()));
+    Ok(Optimised { shell: optimiser.shell(), counts: optimiser.counts(), stopped })
+}
+
+/// An optimisation under way, between two batches of operations.
+#[derive(Debug)]
+pub struct Optimiser<'m> {
+    work: Work<'m>,
+    position: Position,
+    options: OptimiseOptions,
+}
+
+impl<'m> Optimiser<'m> {
+    /// Begins with a shell that is valid around the mesh.
+    ///
+    /// # Errors
+    /// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section
+    /// 1). The claims themselves are not checked here: on a shell that is not valid the result is not, either.
+    pub fn new(mesh: &'m TriMesh, shell: &Shell, options: &OptimiseOptions) -> Result<Self, BuildError> {
+        mesh::check(mesh)?;
+        validate::validate(shell).map_err(CertifyError::from)?;
+        let connectivity = Connectivity::new(shell.middle.len(), &shell.faces)?;
+        let mut work = Work {
+            state: State::new(shell, &connectivity),
+            rules: rules(mesh, options),
+            counts: Counts::default(),
+            tried: Tried::default(),
+            seed: options.seed,
+        };
+        let position = Position::new(&mut work);
+        Ok(Self { work, position, options: *options })
+    }
+
+    /// Goes on from a checkpoint: to the same result, bit for bit, as if there had been no interruption.
+    ///
+    /// # Errors
+    /// See [`CheckpointError`]: another mesh or other options than those of the checkpoint, or bytes that are none.
+    pub fn resume(
+        mesh: &'m TriMesh,
+        options: &OptimiseOptions,
+        bytes: &[u8],
+    ) -> Result<Self, CheckpointError> {
+        checkpoint::resume(mesh, options, bytes)
+    }
+
+    /// The work as it is now, to be resumed later.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Encode`].
+    pub fn checkpoint(&self) -> Result<Vec<u8>, CheckpointError> {
+        checkpoint::save(self)
+    }
+
+    /// One batch of operations; is there more to do?
+    pub fn advance(&mut self) -> bool {
+        let polish = u32::try_from(self.options.polish).unwrap_or(u32::MAX);
+        self.position.advance(&mut self.work, polish)
+    }
+
+    /// Goes on until the end, or until the observer or the time limit stops it; `between` is called after every batch
+    /// and once at the end. Whether it was stopped.
+    ///
+    /// # Errors
+    /// The first that `between` returns.
+    pub fn run<E>(
+        &mut self,
+        observer: &dyn Observer,
+        mut between: impl FnMut(&Self) -> Result<(), E>,
+    ) -> Result<bool, E> {
+        let until = self.options.time_limit.and_then(|limit| Instant::now().checked_add(limit));
+        let mut stage = "";
+        loop {
+            if observer.cancelled() || until.is_some_and(|t| Instant::now() >= t) {
+                return Ok(!self.is_done());
+            }
+            let name = self.position.phase.name();
+            if name != stage && !self.is_done() {
+                observer.stage(name, None);
+                stage = name;
+            }
+            let more = self.advance();
+            observer.advance(BATCH as u64);
+            observer.prisms(self.work.state.live as u64);
+            between(self)?;
+            if !more {
+                return Ok(false);
+            }
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        self.position.phase == schedule::Phase::Done
+    }
+
+    /// The shell as it is now.
+    pub fn shell(&self) -> Shell {
+        self.work.state.shell()
+    }
+
+    /// What was done so far.
+    pub fn counts(&self) -> Counts {
+        self.work.counts
+    }
+}
+
+fn rules<'m>(mesh: &'m TriMesh, options: &OptimiseOptions) -> Rules<'m> {
+    Rules {
         judge: Judge::new(mesh, options.max_angle_degrees.to_radians().cos().max(0.0)),
         limits: Limits { thickness: options.thickness.length(mesh), energy: options.max_energy },
-        counts: Counts::default(),
-        tried: schedule::Tried::default(),
-    };
-    work.run(options.polish, &mut stop);
-    Ok(Optimised { shell: work.state.shell(), counts: work.counts, stopped: stop.stopped() })
+    }
 }
