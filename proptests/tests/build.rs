@@ -1,0 +1,85 @@
+//! Shells around random, degenerate and extreme meshes: what is built certifies for all claims and the independent
+//! checker agrees; what is refused is refused for a reason that holds.
+#![allow(clippy::unwrap_used)]
+
+use std::collections::BTreeMap;
+use std::env;
+use std::time::{Duration, Instant};
+
+use homeo::certify::{Options, Silent, certify};
+use homeo::construct::{BuildError, InitialOptions, OptimiseOptions, initial, optimise};
+use homeo::mesh::{self, TriMesh};
+use homeo::shell::Shell;
+use homeo_proptests::judged::inputs;
+use homeo_proptests::meshes::{FAMILIES, PLACES};
+use homeo_proptests::{Case, MeshRecipe};
+
+/// All claims are certified and the checker says valid.
+fn proved(shell: &Shell, mesh: &TriMesh) -> Result<(), String> {
+    let outcome = certify(shell, Some(mesh), &Options::default(), &Silent).map_err(|e| format!("no verdict: {e}"))?;
+    for claim in &outcome.claims {
+        if let Some(r) = claim.refutations.first() {
+            return Err(format!("{} refuted: {}", claim.claim, r.text));
+        }
+    }
+    let case = Case { shell: shell.clone(), mesh: mesh.clone(), order: Vec::new() };
+    let answer = homeo_certs::check(outcome.certificate.as_bytes(), &inputs(&case));
+    if answer.exit == 0 { Ok(()) } else { Err(format!("rejected: {} {}", answer.code, answer.message)) }
+}
+
+/// What became of a mesh, in a word; an error is a failure.
+fn built(mesh: &TriMesh) -> Result<&'static str, String> {
+    let options = InitialOptions::default();
+    let first = match initial(mesh, &options, &Silent) {
+        Ok(first) => first,
+        Err(BuildError::Mesh(_)) if mesh::check(mesh).is_err() => return Ok("no manifold"),
+        Err(BuildError::SelfIntersecting { .. }) => return Ok("self-intersecting"),
+        Err(e) => return Err(format!("initial: {e}")),
+    };
+    proved(&first.shell, mesh).map_err(|e| format!("initial: {e}"))?;
+    let options = OptimiseOptions { polish: 3, ..OptimiseOptions::default() };
+    let done = optimise(mesh, &first.shell, &options, &Silent).map_err(|e| format!("optimise: {e}"))?;
+    proved(&done.shell, mesh).map_err(|e| format!("optimised: {e}"))?;
+    Ok("built")
+}
+
+fn wanted() -> Option<u64> {
+    env::var("HOMEO_CASES").ok().map(|n| n.parse().unwrap())
+}
+
+/// Without `HOMEO_CASES` for 40 s, else so many cases; `HOMEO_SEED` is the first one.
+#[test]
+fn what_is_built_around_random_meshes_certifies() {
+    let start = Instant::now();
+    let first: u64 = env::var("HOMEO_SEED").map_or(0, |n| n.parse().unwrap());
+    let mut tally: BTreeMap<(String, &str), u64> = BTreeMap::new();
+    let mut failures = Vec::new();
+    for seed in first..first + wanted().unwrap_or(2000) {
+        if wanted().is_none() && start.elapsed() > Duration::from_secs(40) {
+            break;
+        }
+        let mut random = homeo_proptests::meshes::Random(seed);
+        let recipe = MeshRecipe {
+            family: seed as usize % FAMILIES.len(),
+            size: random.below(4) as u32,
+            seed,
+            turned: random.below(2) == 0,
+            place: random.below(PLACES.len()),
+        };
+        let began = Instant::now();
+        let result = built(&recipe.build());
+        if began.elapsed() > Duration::from_secs(5) {
+            eprintln!("SLOW {recipe:?} {:?}", began.elapsed());
+        }
+        let name = FAMILIES[recipe.family].0;
+        match result {
+            Ok(word) => *tally.entry((name.to_owned(), word)).or_default() += 1,
+            Err(e) => {
+                eprintln!("{name} {:?} {recipe:?}: {e}", PLACES[recipe.place]);
+                failures.push(recipe);
+            }
+        }
+    }
+    eprintln!("{tally:#?}");
+    assert!(failures.is_empty(), "{} failures", failures.len());
+}
