@@ -37,6 +37,17 @@ pub enum BuildError {
         /// What fails.
         reason: &'static str,
     },
+    /// Building scales by a power of two, which is exact but near the ends of the range of doubles.
+    #[error("vertex {vertex} at {point:?} is too near the end of the range of doubles: scaled by 2^{exponent} it loses \
+             digits or overflows; scale the mesh first")]
+    Range {
+        /// A vertex of the mesh or, on the way back, of the shell.
+        vertex: u32,
+        /// Where it is.
+        point: [f64; 3],
+        /// What it should have been scaled by.
+        exponent: i32,
+    },
     /// The certifier did not answer.
     #[error(transparent)]
     Certify(#[from] CertifyError),

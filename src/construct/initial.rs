@@ -5,6 +5,7 @@ use super::boundary::Pillars;
 use super::direction::{Direction, directions, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::{self, BuildError};
+use super::scale::Scale;
 use super::thickness::{self, Shrunk};
 use crate::certify::Observer;
 use crate::mesh::{Connectivity, TriMesh};
@@ -52,8 +53,20 @@ pub fn initial(
 ) -> Result<Initial, BuildError> {
     observer.stage("input", None);
     let connectivity = gate::check(mesh, observer)?;
+    let scale = Scale::of(mesh);
+    let mut out = at_size_one(&scale.mesh(mesh)?, &connectivity, options, observer)?;
+    out.shell = scale.inverse().shell(&out.shell)?;
+    Ok(out)
+}
+
+fn at_size_one(
+    mesh: &TriMesh,
+    connectivity: &Connectivity,
+    options: &InitialOptions,
+    observer: &dyn Observer,
+) -> Result<Initial, BuildError> {
     observer.stage("directions", None);
-    let directions = directions(mesh, &connectivity);
+    let directions = directions(mesh, connectivity);
     let mut direction: Vec<[f64; 3]> = directions
         .iter()
         .map(|d| match d {
@@ -64,16 +77,16 @@ pub fn initial(
     let mut pinched: Vec<bool> =
         directions.iter().map(|d| matches!(d, Direction::Singular(_) | Direction::Undecided)).collect();
     let most = options.thickness * longest_box_edge(mesh);
-    Pillars { mesh, connectivity: &connectivity, direction: &mut direction, pinched: &mut pinched }.settle();
+    Pillars { mesh, connectivity, direction: &mut direction, pinched: &mut pinched }.settle();
     loop {
-        let input = Input { mesh, connectivity: &connectivity, direction: &direction, pinched: &pinched };
+        let input = Input { mesh, connectivity, direction: &direction, pinched: &pinched };
         observer.stage("beveling", None);
         let marks = input.to_bevel();
         let mut draft = bevel(&input, &marks);
         no_two_pinched(&draft)?;
         observer.stage("thickness", None);
         thickness::first_guess(&mut draft, mesh, most);
-        match thickness::shrink(&mut draft, mesh, &connectivity, observer)? {
+        match thickness::shrink(&mut draft, mesh, connectivity, observer)? {
             Shrunk::Fits(rounds) => {
                 let beveled = marks.iter().filter(|b| **b).count();
                 let shell = draft.shell();
@@ -84,7 +97,7 @@ pub fn initial(
             Shrunk::Stuck { places, reason } => {
                 let mut new = false;
                 for &(_, triangle) in &places {
-                    new |= pinch_worst(&input_of(mesh, &connectivity, &direction), triangle, &mut pinched);
+                    new |= pinch_worst(&input_of(mesh, connectivity, &direction), triangle, &mut pinched);
                 }
                 if let (false, Some(&(vertex, triangle))) = (new, places.first()) {
                     return Err(BuildError::NoThickness { vertex, triangle, reason });
@@ -145,12 +158,17 @@ fn no_two_pinched(draft: &Draft) -> Result<(), BuildError> {
     Ok(())
 }
 
-/// The longest edge of the bounding box.
-pub(crate) fn longest_box_edge(mesh: &TriMesh) -> f64 {
+/// Half the longest edge of the bounding box: the whole could overflow. Vertices that no triangle uses don't count.
+pub(crate) fn half_box_edge(mesh: &TriMesh) -> f64 {
     (0..3)
         .map(|i| {
-            let x = || mesh.vertices.iter().map(|p| p[i]);
+            let x = || mesh.faces.iter().flatten().map(|&v| 0.5 * mesh.vertices[v as usize][i]);
             x().fold(f64::NEG_INFINITY, f64::max) - x().fold(f64::INFINITY, f64::min)
         })
         .fold(0.0, f64::max)
+}
+
+/// The longest edge of the bounding box.
+pub(crate) fn longest_box_edge(mesh: &TriMesh) -> f64 {
+    2.0 * half_box_edge(mesh)
 }

@@ -11,6 +11,7 @@ mod gate;
 mod initial;
 pub mod optimise;
 mod sample;
+mod scale;
 mod thickness;
 
 pub use gate::BuildError;

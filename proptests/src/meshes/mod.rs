@@ -71,7 +71,9 @@ pub enum Place {
 }
 
 /// Places; the first ones are the ordinary ones, the last ones near the ends of the range of doubles.
-pub const PLACES: [Place; 12] = [
+pub const PLACES: [Place; 14] = [
+    Place::Here,
+    Place::Here,
     Place::Here,
     Place::Here,
     Place::Far(1e3),

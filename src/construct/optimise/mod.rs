@@ -28,6 +28,7 @@ use self::schedule::{Stop, Work};
 use self::state::State;
 use super::gate::BuildError;
 use super::initial::longest_box_edge;
+use super::scale::Scale;
 use crate::certify::{CertifyError, Observer};
 use crate::mesh::{self, Connectivity, TriMesh};
 use crate::shell::{Shell, validate};
@@ -71,7 +72,8 @@ pub struct Optimised {
 /// Every operation costs O(log n + k) for n mesh triangles, k of which are near its prisms.
 ///
 /// # Errors
-/// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section 1).
+/// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section 1);
+/// [`BuildError::Range`] near the ends of the range of doubles.
 /// The claims themselves are not checked here: on a shell that is not valid the result is not, either.
 pub fn optimise(
     mesh: &TriMesh,
@@ -81,6 +83,18 @@ pub fn optimise(
 ) -> Result<Optimised, BuildError> {
     mesh::check(mesh)?;
     validate::validate(shell).map_err(CertifyError::from)?;
+    let scale = Scale::of(mesh);
+    let mut done = at_size_one(&scale.mesh(mesh)?, &scale.shell(shell)?, options, observer)?;
+    done.shell = scale.inverse().shell(&done.shell)?;
+    Ok(done)
+}
+
+fn at_size_one(
+    mesh: &TriMesh,
+    shell: &Shell,
+    options: &OptimiseOptions,
+    observer: &dyn Observer,
+) -> Result<Optimised, BuildError> {
     let connectivity = Connectivity::new(shell.middle.len(), &shell.faces)?;
     let mut stop = Stop::new(observer, options.time_limit);
     let mut work = Work {
