@@ -7,6 +7,7 @@ mod bevel;
 mod boundary;
 pub mod direction;
 mod draft;
+mod fixed;
 mod gate;
 mod initial;
 pub mod optimise;

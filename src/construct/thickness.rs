@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-use super::direction::{float_cross, float_dot};
+use super::direction::{float_cross, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::BuildError;
 use crate::certify::complex::{Boundary, MeshView};
@@ -21,6 +21,8 @@ const SHRINK: [(u32, f64); 3] = [(8, 0.7), (14, 0.5), (u32::MAX, 0.25)];
 /// A thickness below this share of the shortest edge at its vertex will not do: whatever is in the way does not get out
 /// of it by shrinking (*Shell* Figure 14). Not a tolerance: what is built is judged exactly, this only ends the attempt.
 const LEAST: f64 = 1e-13;
+
+const NOT_POSITIVE: &str = "the prism is not positive";
 
 /// Sets every vertex's thickness to `most`, or to a share of the free way along its pillar, if that is less.
 pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
@@ -127,7 +129,12 @@ pub(crate) fn shrink(
         wrong.sort_unstable();
         wrong.dedup();
         let Some(&(first, _)) = wrong.first() else { return Ok(Shrunk::Fits(round)) };
-        let stuck = reduce(draft, &wrong, &mut patience);
+        let stuck = reduce(draft, mesh, (&wrong, reason), &mut patience);
+        if std::env::var("DBG").is_ok() && (round < 1 || round % 12 == 11 || !stuck.is_empty()) {
+            eprintln!("round {round} {reason} wrong {} prisms {}", wrong.len(), draft.faces.len());
+            for w in wrong.iter().take(1) { eprintln!("  prism {} {:?} origin {} {:?}", w.0, w.1, draft.origin[w.0 as usize], mesh.faces[draft.origin[w.0 as usize] as usize]);
+              for v in draft.faces[w.0 as usize] { let v=v as usize; eprintln!("    {v} near {} m {:?} d {:?} up {:e} down {:e} pin {}", draft.near[v], draft.middle[v], draft.direction[v], draft.up[v], draft.down[v], draft.pinched[v]); } }
+        }
         if !stuck.is_empty() {
             let over = |v: u32| wrong.iter().map(|w| w.0).find(|&p| draft.faces[p as usize].contains(&v));
             let places =
@@ -149,7 +156,7 @@ fn wrong(draft: &Draft, view: &MeshView<'_>, observer: &dyn Observer) -> Result<
     };
     let bad = positivity::decide(&shell, observer)?.bad;
     if !bad.is_empty() {
-        return Ok((bad.iter().map(|b| (b.prism, slab(&b.names))).collect(), "the prism is not positive"));
+        return Ok((bad.iter().map(|b| (b.prism, slab(&b.names))).collect(), NOT_POSITIVE));
     }
     let mut wrong = Vec::new();
     for (about, slab) in [(About::Bottom, Slab::Bottom), (About::Top, Slab::Top)] {
@@ -192,10 +199,40 @@ impl Patience {
     }
 }
 
-/// Shrinks the corners of each prism in the slab, each vertex once; the vertices that fall below the least thickness.
-fn reduce(draft: &mut Draft, wrong: &[(u32, Slab)], patience: &mut Patience) -> Vec<u32> {
+/// The corners of a prism that are to blame: those of half the largest thickness or more. A thin corner beside a thick
+/// one gains nothing by becoming thinner. For a prism that is not positive it is the height over the triangle that
+/// counts: a long pillar that leans is low.
+fn to_blame(
+    draft: &Draft,
+    mesh: &TriMesh,
+    (prism, slab): (u32, Slab),
+    by_height: bool,
+) -> impl Iterator<Item = (u32, Slab)> {
+    let origin = mesh.faces[draft.origin[prism as usize] as usize];
+    let normal = float_normal(origin.map(|v| &mesh.vertices[v as usize]));
+    let size = |v: u32| {
+        let k = v as usize;
+        let thickness = if slab == Slab::Bottom { draft.down[k] } else { draft.up[k] };
+        let share = if by_height { float_dot(&draft.direction[k], &normal) } else { 1.0 };
+        if draft.pinched[k] { 0.0 } else { thickness * share }
+    };
+    let face = draft.faces[prism as usize];
+    let most = face.map(size).into_iter().fold(0.0, f64::max);
+    let large = face.map(|v| (v, size(v) >= 0.5 * most));
+    large.into_iter().filter(|(_, large)| *large).map(move |(v, _)| (v, slab))
+}
+
+/// Shrinks the thick corners of each prism in the slab, each vertex once; the vertices that fall below the least
+/// thickness.
+fn reduce(
+    draft: &mut Draft,
+    mesh: &TriMesh,
+    (wrong, reason): (&[(u32, Slab)], &str),
+    patience: &mut Patience,
+) -> Vec<u32> {
+    let by_height = reason == NOT_POSITIVE;
     let mut corners: Vec<(u32, Slab)> =
-        wrong.iter().flat_map(|&(p, slab)| draft.faces[p as usize].map(|v| (v, slab))).collect();
+        wrong.iter().flat_map(|&w| to_blame(draft, mesh, w, by_height)).collect();
     corners.sort_unstable();
     corners.dedup();
     let mut stuck = Vec::new();
