@@ -34,6 +34,9 @@ fn built(mesh: &TriMesh) -> Result<&'static str, String> {
         Ok(first) => first,
         Err(BuildError::Mesh(_)) if mesh::check(mesh).is_err() => return Ok("no manifold"),
         Err(BuildError::SelfIntersecting { .. }) => return Ok("self-intersecting"),
+        Err(BuildError::Coarse { .. }) if least_height(mesh) < longest(mesh) * 2f64.powi(-24) => {
+            return Ok("too few digits");
+        }
         Err(BuildError::Range { .. }) if longest(mesh) < 2f64.powi(-950) => return Ok("out of range"),
         Err(e) => return Err(format!("initial: {e}")),
     };
@@ -47,6 +50,20 @@ fn built(mesh: &TriMesh) -> Result<&'static str, String> {
 /// The largest coordinate.
 fn longest(mesh: &TriMesh) -> f64 {
     mesh.vertices.iter().flatten().fold(0.0, |m, x| x.abs().max(m))
+}
+
+/// The smallest height of a triangle, about.
+fn least_height(mesh: &TriMesh) -> f64 {
+    let length = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
+    let scale = 1.0 / longest(mesh);
+    let heights = mesh.faces.iter().map(|f| {
+        let [a, b, c] = f.map(|v| mesh.vertices[v as usize].map(|x| x * scale));
+        let edge = |p: [f64; 3], q: [f64; 3]| [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
+        let (x, y, z) = (edge(a, b), edge(a, c), edge(b, c));
+        let n = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
+        length(n) / length(x).max(length(y)).max(length(z))
+    });
+    heights.fold(f64::INFINITY, f64::min) * longest(mesh)
 }
 
 fn wanted() -> Option<u64> {

@@ -37,6 +37,19 @@ pub enum BuildError {
         /// What fails.
         reason: &'static str,
     },
+    /// Between the mesh's parts there are hardly any doubles: rounding is as large as the room that is left.
+    #[error("too few digits: at vertex {vertex} of mesh triangle {triangle} coordinates are {spacing:e} apart, too coarse for \
+             triangles as thin as there ({reason}); move the mesh to the origin or simplify it there")]
+    Coarse {
+        /// A vertex of the middle surface.
+        vertex: u32,
+        /// The mesh triangle there.
+        triangle: u32,
+        /// The distance of neighbouring doubles there, as a share of the longest edge of the bounding box.
+        spacing: f64,
+        /// What fails.
+        reason: &'static str,
+    },
     /// Building scales by a power of two, which is exact but near the ends of the range of doubles.
     #[error("vertex {vertex} at {point:?} is too near the end of the range of doubles: scaled by 2^{exponent} it loses \
              digits or overflows; scale the mesh first")]

@@ -2,7 +2,7 @@
 
 use super::bevel::{Input, bevel};
 use super::boundary::Pillars;
-use super::direction::{Direction, directions, float_dot, float_normal};
+use super::direction::{Direction, directions, float_cross, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::{self, BuildError};
 use super::scale::Scale;
@@ -100,11 +100,44 @@ fn at_size_one(
                     new |= pinch_worst(&input_of(mesh, connectivity, &direction), triangle, &mut pinched);
                 }
                 if let (false, Some(&(vertex, triangle))) = (new, places.first()) {
-                    return Err(BuildError::NoThickness { vertex, triangle, reason });
+                    return Err(no_thickness(mesh, connectivity, (vertex, triangle), reason));
                 }
             }
         }
     }
+}
+
+/// Triangles need to be so many spacings of doubles high, or rounding may be what is in the way: a square root of the
+/// precision. It chooses the words of the error only.
+const ROOM: f64 = (1u64 << 26) as f64;
+
+/// Why there is no thickness: the triangle or one around it is hardly larger than the spacing of doubles, or another
+/// reason.
+fn no_thickness(
+    mesh: &TriMesh,
+    connectivity: &Connectivity,
+    (vertex, triangle): (u32, u32),
+    reason: &'static str,
+) -> BuildError {
+    let face = mesh.faces[triangle as usize];
+    let largest =
+        face.iter().flat_map(|&v| mesh.vertices[v as usize]).fold(0.0f64, |m, x| m.max(x.abs()));
+    let spacing = largest * f64::EPSILON;
+    let around = face.into_iter().flat_map(|v| connectivity.star(v)).map(|c| c.face());
+    let least = around.map(|f| height(mesh, f)).fold(f64::INFINITY, f64::min);
+    if least < ROOM * spacing {
+        return BuildError::Coarse { vertex, triangle, spacing, reason };
+    }
+    BuildError::NoThickness { vertex, triangle, reason }
+}
+
+/// The smallest height of a triangle, about.
+fn height(mesh: &TriMesh, f: u32) -> f64 {
+    let [a, b, c] = mesh.faces[f as usize].map(|v| mesh.vertices[v as usize]);
+    let edge = |p: &[f64; 3], q: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| q[i] - p[i]) };
+    let (x, y, z) = (edge(&a, &b), edge(&a, &c), edge(&b, &c));
+    let length = |v: &[f64; 3]| float_dot(v, v).sqrt();
+    length(&float_cross(&x, &y)) / length(&x).max(length(&y)).max(length(&z))
 }
 
 /// What choosing a vertex to pinch needs.
