@@ -8,11 +8,18 @@ use std::time::{Duration, Instant};
 use super::CliError;
 use super::output::{self, one_line};
 use super::progress::Progress;
-use crate::certify::{Options, Outcome, Silent, certify};
-use crate::construct::{BuildError, InitialOptions, OptimiseOptions, initial, optimise};
+use crate::certify::{Claim, Options, Outcome, Silent, certify};
+use crate::construct::{BuildError, InitialOptions, OptimiseOptions, initial, optimise, optimise_locally};
 use crate::mesh::{self, TriMesh};
 use crate::shell::Shell;
 use crate::shell::hdf5::{self, ShellFile};
+
+/// What `--allow-self-intersections` gives up.
+const NOT_GUARANTEED: &str = "\
+Not claimed: disjoint, i2 (self-intersections were allowed). The map is one between abstract surfaces, whatever crosses
+             in space: where sheets cross, a point of space lies in several prisms and its projection is ambiguous, and
+             a surface remeshed in the shell may cross itself, too.
+";
 
 /// Arguments of `homeo build`.
 #[derive(Debug, clap::Args)]
@@ -31,6 +38,10 @@ pub(super) struct Args {
     /// Stop optimising after so many seconds, with the valid shell reached by then; Ctrl-C does the same
     #[arg(long, value_name = "SECONDS")]
     time_limit: Option<u64>,
+    /// Build around a mesh that intersects itself, too. The map is then one between abstract surfaces: C1 to C4 are
+    /// certified, but neither `disjoint` nor `i2`
+    #[arg(long)]
+    allow_self_intersections: bool,
     /// Write the shell without certifying it
     #[arg(long)]
     no_certify: bool,
@@ -75,6 +86,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
             claims.join(", ")
         );
     }
+    if args.allow_self_intersections {
+        out.push_str(NOT_GUARANTEED);
+    }
     output::print(&out)?;
     Ok(ExitCode::SUCCESS)
 }
@@ -89,7 +103,9 @@ fn beside(shell: &Path) -> PathBuf {
 /// The shell, and how it came about in words.
 fn build(mesh: &TriMesh, args: &Args) -> Result<(Shell, String), BuildError> {
     let progress = Progress::new(args.quiet);
-    let first = initial(mesh, &InitialOptions { thickness: args.thickness }, &progress)?;
+    let first =
+        InitialOptions { thickness: args.thickness, allow_self_intersections: args.allow_self_intersections };
+    let first = initial(mesh, &first, &progress)?;
     let pinched = first.pinched.iter().filter(|p| **p).count();
     let prisms = first.shell.faces.len();
     let start = format!(
@@ -104,7 +120,11 @@ fn build(mesh: &TriMesh, args: &Args) -> Result<(Shell, String), BuildError> {
         time_limit: args.time_limit.map(Duration::from_secs),
         ..OptimiseOptions::default()
     };
-    let done = optimise(mesh, &first.shell, &options, &progress)?;
+    let done = if args.allow_self_intersections {
+        optimise_locally(mesh, &first.shell, &first.origin, &options, &progress)?
+    } else {
+        optimise(mesh, &first.shell, &options, &progress)?
+    };
     let stopped = if done.stopped { "; optimisation was stopped early" } else { "" };
     Ok((done.shell, format!("{start}{stopped}")))
 }
@@ -113,7 +133,12 @@ fn build(mesh: &TriMesh, args: &Args) -> Result<(Shell, String), BuildError> {
 fn proved(shell: &Shell, mesh: &TriMesh, args: &Args) -> Result<Outcome, CliError> {
     let file = || args.mesh.display().to_string();
     // An interruption has ended the optimisation; what it left is still to be certified.
-    let outcome = certify(shell, Some(mesh), &Options::default(), &Silent)
+    let mut options = Options::default();
+    if args.allow_self_intersections {
+        // With all claims that it rests on: C1, C2, C4 and C3.
+        options.claims = vec![Claim::SectionAllOrders];
+    }
+    let outcome = certify(shell, Some(mesh), &options, &Silent)
         .map_err(|source| CliError::Certify { files: file(), source })?;
     match outcome.claims.iter().flat_map(|c| &c.refutations).next() {
         None => Ok(outcome),

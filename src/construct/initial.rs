@@ -6,7 +6,7 @@ use super::direction::{Direction, directions, float_cross, float_dot, float_norm
 use super::draft::Draft;
 use super::gate::{self, BuildError};
 use super::scale::Scale;
-use super::thickness::{self, Shrunk};
+use super::thickness::{self, Against, Shrunk};
 use crate::certify::Observer;
 use crate::mesh::{Connectivity, TriMesh};
 use crate::shell::Shell;
@@ -16,11 +16,14 @@ use crate::shell::Shell;
 pub struct InitialOptions {
     /// Largest thickness of each half, as a share of the longest edge of the mesh's bounding box.
     pub thickness: f64,
+    /// Build around a mesh that intersects itself, too: then prisms are kept clear of the triangles around their own one
+    /// only (*Shell* section 6), and no claim about all pairs in space holds (C3+, C6).
+    pub allow_self_intersections: bool,
 }
 
 impl Default for InitialOptions {
     fn default() -> Self {
-        Self { thickness: 0.1 }
+        Self { thickness: 0.1, allow_self_intersections: false }
     }
 }
 
@@ -52,7 +55,7 @@ pub fn initial(
     observer: &dyn Observer,
 ) -> Result<Initial, BuildError> {
     observer.stage("input", None);
-    let connectivity = gate::check(mesh, observer)?;
+    let connectivity = gate::check(mesh, options.allow_self_intersections, observer)?;
     let scale = Scale::of(mesh);
     let mut out = at_size_one(&scale.mesh(mesh)?, &connectivity, options, observer)?;
     out.shell = scale.inverse().shell(&out.shell)?;
@@ -85,8 +88,9 @@ fn at_size_one(
         let mut draft = bevel(&input, &marks);
         no_two_pinched(&draft)?;
         observer.stage("thickness", None);
-        thickness::first_guess(&mut draft, mesh, most);
-        match thickness::shrink(&mut draft, mesh, connectivity, observer)? {
+        let against = Against { mesh, connectivity, all: !options.allow_self_intersections };
+        thickness::first_guess(&mut draft, &against, most);
+        match thickness::shrink(&mut draft, &against, observer)? {
             Shrunk::Fits(rounds) => {
                 let beveled = marks.iter().filter(|b| **b).count();
                 let shell = draft.shell();
@@ -120,8 +124,7 @@ fn no_thickness(
     reason: &'static str,
 ) -> BuildError {
     let face = mesh.faces[triangle as usize];
-    let largest =
-        face.iter().flat_map(|&v| mesh.vertices[v as usize]).fold(0.0f64, |m, x| m.max(x.abs()));
+    let largest = face.iter().flat_map(|&v| mesh.vertices[v as usize]).fold(0.0f64, |m, x| m.max(x.abs()));
     let spacing = largest * f64::EPSILON;
     let around = face.into_iter().flat_map(|v| connectivity.star(v)).map(|c| c.face());
     let least = around.map(|f| height(mesh, f)).fold(f64::INFINITY, f64::min);

@@ -17,5 +17,5 @@ mod thickness;
 
 pub use gate::BuildError;
 pub use initial::{Initial, InitialOptions, initial};
-pub use optimise::{OptimiseOptions, Optimised, optimise};
+pub use optimise::{OptimiseOptions, Optimised, optimise, optimise_locally};
 pub use sample::{Sample, dent, icosphere, sample};

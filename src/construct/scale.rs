@@ -45,7 +45,11 @@ impl Scale {
             let scaled = p.map(|x| times(x, self.exponent));
             // Scaled back it is the same exactly when no bit was lost.
             let exact = p.iter().zip(&scaled).all(|(x, y)| same(*x, times(*y, -self.exponent)));
-            if exact { Ok(scaled) } else { Err(BuildError::Range { vertex: v, point: *p, exponent: self.exponent }) }
+            if exact {
+                Ok(scaled)
+            } else {
+                Err(BuildError::Range { vertex: v, point: *p, exponent: self.exponent })
+            }
         };
         (0u32..).zip(points).map(point).collect()
     }

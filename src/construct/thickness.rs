@@ -24,8 +24,29 @@ const LEAST: f64 = 1e-13;
 
 const NOT_POSITIVE: &str = "the prism is not positive";
 
+/// What the shell must be clear of.
+pub(crate) struct Against<'a> {
+    pub(crate) mesh: &'a TriMesh,
+    pub(crate) connectivity: &'a Connectivity,
+    /// All triangles, or only those that share a vertex with a prism's own one?
+    pub(crate) all: bool,
+}
+
+impl Against<'_> {
+    /// Does the triangle count for prisms and rays on these ones?
+    fn counts(&self, f: u32, own: &[u32]) -> bool {
+        self.all || own.iter().any(|&o| self.touch(f, o))
+    }
+
+    fn touch(&self, f: u32, g: u32) -> bool {
+        let [f, g] = [f, g].map(|f| self.mesh.faces[f as usize]);
+        f.iter().any(|v| g.contains(v))
+    }
+}
+
 /// Sets every vertex's thickness to `most`, or to a share of the free way along its pillar, if that is less.
-pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
+pub(crate) fn first_guess(draft: &mut Draft, against: &Against<'_>, most: f64) {
+    let mesh = against.mesh;
     let corners = |f: &[u32; 3]| f.map(|v| mesh.vertices[v as usize]);
     let leaf = |(id, f): (usize, &[u32; 3])| {
         let p = corners(f);
@@ -47,7 +68,7 @@ pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
     let free: Vec<[f64; 2]> = (0..draft.middle.len())
         .into_par_iter()
         .map(|v| {
-            let ray = Ray { mesh, from: draft.middle[v], own: &own[v] };
+            let ray = Ray { against, from: draft.middle[v], own: &own[v] };
             [1.0, -1.0].map(|sign| ray.free_way(&tree, &draft.direction[v].map(|x| x * sign), most))
         })
         .collect();
@@ -59,7 +80,7 @@ pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
 
 /// A ray from a vertex.
 struct Ray<'a> {
-    mesh: &'a TriMesh,
+    against: &'a Against<'a>,
     from: [f64; 3],
     /// Triangles that it starts in.
     own: &'a [u32],
@@ -81,7 +102,7 @@ impl Ray<'_> {
             let to: [f64; 3] = std::array::from_fn(|i| self.from[i] + length * direction[i]);
             let hit = tree
                 .locate_in_envelope_intersecting(&AABB::from_corners(self.from, to))
-                .filter(|g| !self.own.contains(&g.data))
+                .filter(|g| !self.own.contains(&g.data) && self.against.counts(g.data, self.own))
                 .filter_map(|g| self.hit(g.data, direction))
                 .fold(f64::INFINITY, f64::min);
             if hit <= length || length >= reach {
@@ -92,7 +113,7 @@ impl Ray<'_> {
 
     /// The ray's parameter at a triangle. A guess in floats.
     fn hit(&self, f: u32, direction: &[f64; 3]) -> Option<f64> {
-        let [a, b, c] = self.mesh.faces[f as usize].map(|v| self.mesh.vertices[v as usize]);
+        let [a, b, c] = self.against.mesh.faces[f as usize].map(|v| self.against.mesh.vertices[v as usize]);
         let minus = |p: &[f64; 3], q: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| p[i] - q[i]) };
         let (e1, e2) = (minus(&b, &a), minus(&c, &a));
         let p = float_cross(direction, &e2);
@@ -117,24 +138,19 @@ pub(crate) enum Shrunk {
 /// a tet in the wrong direction (C1 and the extra conditions of C3+).
 pub(crate) fn shrink(
     draft: &mut Draft,
-    mesh: &TriMesh,
-    connectivity: &Connectivity,
+    against: &Against<'_>,
     observer: &dyn Observer,
 ) -> Result<Shrunk, BuildError> {
+    let (mesh, connectivity) = (against.mesh, against.connectivity);
     let boundary = Boundary::new(connectivity);
     let view = MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity, boundary: &boundary };
     let mut patience = Patience::new(draft);
     for round in 0.. {
-        let (mut wrong, reason) = wrong(draft, &view, observer)?;
+        let (mut wrong, reason) = wrong(draft, against, &view, observer)?;
         wrong.sort_unstable();
         wrong.dedup();
         let Some(&(first, _)) = wrong.first() else { return Ok(Shrunk::Fits(round)) };
         let stuck = reduce(draft, mesh, (&wrong, reason), &mut patience);
-        if std::env::var("DBG").is_ok() && (round < 1 || round % 12 == 11 || !stuck.is_empty()) {
-            eprintln!("round {round} {reason} wrong {} prisms {}", wrong.len(), draft.faces.len());
-            for w in wrong.iter().take(1) { eprintln!("  prism {} {:?} origin {} {:?}", w.0, w.1, draft.origin[w.0 as usize], mesh.faces[draft.origin[w.0 as usize] as usize]);
-              for v in draft.faces[w.0 as usize] { let v=v as usize; eprintln!("    {v} near {} m {:?} d {:?} up {:e} down {:e} pin {}", draft.near[v], draft.middle[v], draft.direction[v], draft.up[v], draft.down[v], draft.pinched[v]); } }
-        }
         if !stuck.is_empty() {
             let over = |v: u32| wrong.iter().map(|w| w.0).find(|&p| draft.faces[p as usize].contains(&v));
             let places =
@@ -149,7 +165,13 @@ pub(crate) fn shrink(
 type Wrong = (Vec<(u32, Slab)>, &'static str);
 
 /// The slabs that break a condition, the cheapest condition first, and which one it is.
-fn wrong(draft: &Draft, view: &MeshView<'_>, observer: &dyn Observer) -> Result<Wrong, BuildError> {
+fn wrong(
+    draft: &Draft,
+    against: &Against<'_>,
+    view: &MeshView<'_>,
+    observer: &dyn Observer,
+) -> Result<Wrong, BuildError> {
+    let counts = |f: u32, prism: u32| against.counts(f, &[draft.origin[prism as usize]]);
     let shell = draft.shell();
     let slab = |names: &[Name]| {
         if names.iter().any(|n| n.layer == Layer::Top) { Slab::Top } else { Slab::Bottom }
@@ -161,13 +183,14 @@ fn wrong(draft: &Draft, view: &MeshView<'_>, observer: &dyn Observer) -> Result<
     let mut wrong = Vec::new();
     for (about, slab) in [(About::Bottom, Slab::Bottom), (About::Top, Slab::Top)] {
         let found = disjoint::decide(view, &shell, about, observer)?;
-        wrong.extend(found.crossings.iter().map(|c| (c.second, slab)));
+        wrong.extend(found.crossings.iter().filter(|c| counts(c.first, c.second)).map(|c| (c.second, slab)));
     }
     if !wrong.is_empty() {
         return Ok((wrong, "the mesh meets bottom or top"));
     }
     let found = i2::decide(view, &shell, observer)?;
-    let wrong = found.contacts.iter().map(|c| (c.prism, slab(&c.names))).collect();
+    let found = found.contacts.iter().filter(|c| counts(c.face, c.prism));
+    let wrong = found.map(|c| (c.prism, slab(&c.names))).collect();
     Ok((wrong, "a triangle touches the prism in the wrong direction"))
 }
 

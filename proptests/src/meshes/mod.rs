@@ -1,6 +1,7 @@
 //! Random, degenerate and extreme meshes to build shells around.
 
 mod closed;
+mod crossing;
 mod open;
 mod random;
 mod solids;
@@ -8,6 +9,7 @@ mod solids;
 use homeo::mesh::TriMesh;
 use proptest::prelude::*;
 
+pub use crossing::crossing;
 pub use random::Random;
 
 type Point = [f64; 3];
@@ -90,9 +92,8 @@ pub const PLACES: [Place; 14] = [
 
 /// Recipes of meshes.
 pub fn mesh_recipes() -> impl Strategy<Value = MeshRecipe> {
-    (0..FAMILIES.len(), 0..4u32, any::<u64>(), any::<bool>(), 0..PLACES.len()).prop_map(
-        |(family, size, seed, turned, place)| MeshRecipe { family, size, seed, turned, place },
-    )
+    (0..FAMILIES.len(), 0..4u32, any::<u64>(), any::<bool>(), 0..PLACES.len())
+        .prop_map(|(family, size, seed, turned, place)| MeshRecipe { family, size, seed, turned, place })
 }
 
 impl MeshRecipe {
@@ -159,8 +160,7 @@ fn map(mut mesh: TriMesh, f: impl FnMut(Point) -> Point) -> TriMesh {
 fn sphere(levels: u32) -> TriMesh {
     let vertices: Vec<Point> =
         vec![[1., 0., 0.], [-1., 0., 0.], [0., 1., 0.], [0., -1., 0.], [0., 0., 1.], [0., 0., -1.]];
-    let faces =
-        vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+    let faces = vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
     let mut mesh = TriMesh { vertices, faces };
     for _ in 0..levels {
         mesh = subdivided(mesh);

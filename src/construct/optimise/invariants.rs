@@ -64,24 +64,36 @@ impl<'a> Judge<'a> {
     /// before?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
         let after = state.prisms(change);
+        let tracked = state.candidates(change);
+        let tracked = tracked.as_deref();
         after.iter().all(Prism::is_positive)
-            && self.worst_cosine(&after).is_some_and(|cosine| {
+            && self.worst_cosine(&after, tracked).is_some_and(|cosine| {
                 cosine >= self.least_cosine
-                    || self.worst_cosine(&state.prisms_before(change)).is_some_and(|before| cosine >= before)
+                    || self
+                        .worst_cosine(&state.prisms_before(change), tracked)
+                        .is_some_and(|before| cosine >= before)
             })
     }
 
     /// The smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an
-    /// invariant about the mesh is broken.
-    fn worst_cosine(&self, prisms: &[Prism]) -> Option<f64> {
+    /// invariant about the mesh is broken. Judged against the tracked triangles, or against all.
+    fn worst_cosine(&self, prisms: &[Prism], tracked: Option<&[u32]>) -> Option<f64> {
         let mut worst = self.least_cosine;
         let fits = prisms.iter().all(|prism| {
             let view = View::new(prism);
-            self.tree.all(&Box3::of(prism.points()), |f| {
+            let bounds = Box3::of(prism.points());
+            let mut fits = |f: u32| {
                 let found = self.pair(&view, f);
                 worst = worst.min(found.unwrap_or(worst));
                 found.is_some()
-            })
+            };
+            match tracked {
+                None => self.tree.all(&bounds, fits),
+                Some(list) => {
+                    let near = |f: &u32| bounds.meets(&Box3::of(self.corners(*f)));
+                    list.iter().copied().filter(near).all(&mut fits)
+                }
+            }
         });
         fits.then_some(worst)
     }

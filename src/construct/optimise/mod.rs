@@ -16,6 +16,7 @@ mod smooth;
 mod state;
 #[cfg(test)]
 mod tests;
+pub(crate) mod tracked;
 mod tree;
 
 use std::time::Duration;
@@ -26,6 +27,7 @@ use self::invariants::Judge;
 use self::limits::Limits;
 use self::schedule::{Stop, Work};
 use self::state::State;
+use self::tracked::Tracked;
 use super::gate::BuildError;
 use super::initial::longest_box_edge;
 use super::scale::Scale;
@@ -81,10 +83,36 @@ pub fn optimise(
     options: &OptimiseOptions,
     observer: &dyn Observer,
 ) -> Result<Optimised, BuildError> {
+    run(mesh, shell, None, options, observer)
+}
+
+/// As [`optimise`], for a mesh that may intersect itself and its initial shell, whose prism `i` lies on the mesh triangle
+/// `origin[i]` ([`Initial::origin`](super::Initial)): each prism is judged only against the part of the surface that
+/// runs through it (*Shell* section 6). The result satisfies C1 to C4, but no claim about all pairs in space (C3+, C6).
+///
+/// # Errors
+/// As [`optimise`].
+pub fn optimise_locally(
+    mesh: &TriMesh,
+    shell: &Shell,
+    origin: &[u32],
+    options: &OptimiseOptions,
+    observer: &dyn Observer,
+) -> Result<Optimised, BuildError> {
+    run(mesh, shell, Some(origin), options, observer)
+}
+
+fn run(
+    mesh: &TriMesh,
+    shell: &Shell,
+    origin: Option<&[u32]>,
+    options: &OptimiseOptions,
+    observer: &dyn Observer,
+) -> Result<Optimised, BuildError> {
     mesh::check(mesh)?;
     validate::validate(shell).map_err(CertifyError::from)?;
     let scale = Scale::of(mesh);
-    let mut done = at_size_one(&scale.mesh(mesh)?, &scale.shell(shell)?, options, observer)?;
+    let mut done = at_size_one(&scale.mesh(mesh)?, &scale.shell(shell)?, origin, options, observer)?;
     done.shell = scale.inverse().shell(&done.shell)?;
     Ok(done)
 }
@@ -92,13 +120,24 @@ pub fn optimise(
 fn at_size_one(
     mesh: &TriMesh,
     shell: &Shell,
+    origin: Option<&[u32]>,
     options: &OptimiseOptions,
     observer: &dyn Observer,
 ) -> Result<Optimised, BuildError> {
     let connectivity = Connectivity::new(shell.middle.len(), &shell.faces)?;
     let mut stop = Stop::new(observer, options.time_limit);
+    let mut state = State::new(shell, &connectivity);
+    if let Some(origin) = origin {
+        let wrong =
+            origin.len() != shell.faces.len() || origin.iter().any(|&f| f as usize >= mesh.faces.len());
+        if wrong {
+            return Err(BuildError::Origin { prisms: shell.faces.len(), origins: origin.len() });
+        }
+        let around = Connectivity::new(mesh.vertices.len(), &mesh.faces)?;
+        state.tracked = Some(Tracked::new(mesh, &around, origin, |i| state.prism(state.faces[i], None)));
+    }
     let mut work = Work {
-        state: State::new(shell, &connectivity),
+        state,
         judge: Judge::new(mesh, options.max_angle_degrees.to_radians().cos().max(0.0)),
         limits: Limits { thickness: options.thickness * longest_box_edge(mesh), energy: options.max_energy },
         counts: Counts::default(),

@@ -1,6 +1,7 @@
 //! The shell under optimisation: faces of the middle complex, stars of its vertices, pillars.
 
 use super::prism::{Pillar, Prism};
+use super::tracked::Tracked;
 use crate::mesh::Connectivity;
 use crate::shell::Shell;
 
@@ -22,6 +23,8 @@ pub(crate) struct State {
     pub(crate) clock: u64,
     /// Per vertex the number of the last change to its pillar or star.
     pub(crate) changed: Vec<u64>,
+    /// Around a mesh that intersects itself: what each prism is judged against.
+    pub(crate) tracked: Option<Tracked>,
 }
 
 /// A replacement of faces by no more faces, and of at most one pillar by another.
@@ -61,6 +64,7 @@ impl State {
             live: shell.faces.len(),
             clock: 0,
             changed: vec![0; n],
+            tracked: None,
         }
     }
 
@@ -147,6 +151,28 @@ impl State {
         change.remove.iter().chain(stays).map(|&f| self.prism(self.faces[f as usize], None)).collect()
     }
 
+    /// The faces that a change removes or moves.
+    fn touched(&self, change: &Change) -> Vec<u32> {
+        let moved = change.moved.as_ref().and_then(|(v, _)| self.star.get(*v as usize));
+        change.remove.iter().chain(moved.into_iter().flatten()).copied().collect()
+    }
+
+    /// The mesh triangles that a change is to be judged against, where not all are.
+    pub(crate) fn candidates(&self, change: &Change) -> Option<Vec<u32>> {
+        self.tracked.as_ref().map(|tracked| tracked.union(self.touched(change)))
+    }
+
+    /// Hands the triangles that were tracked before a change on to the prisms after it.
+    fn track(&mut self, change: &Change, candidates: &[u32]) {
+        let Some(mut tracked) = self.tracked.take() else { return };
+        let moved = change.moved.as_ref().and_then(|(v, _)| self.star.get(*v as usize));
+        let made = change.remove.iter().zip(&change.add).map(|(id, _)| id);
+        for &f in made.chain(moved.into_iter().flatten()) {
+            tracked.set(f as usize, &self.prism(self.faces[f as usize], None), candidates);
+        }
+        self.tracked = Some(tracked);
+    }
+
     /// Was there no change to the vertex and its neighbours after change number `clock`? Whatever an operation there
     /// looks at is then as it was.
     pub(crate) fn is_settled(&self, v: u32, clock: u64) -> bool {
@@ -156,6 +182,7 @@ impl State {
 
     /// Makes a change that was checked.
     pub(crate) fn apply(&mut self, change: &Change) {
+        let candidates = self.candidates(change);
         self.clock += 1;
         for &f in &change.remove {
             for v in std::mem::replace(&mut self.faces[f as usize], GONE) {
@@ -176,5 +203,8 @@ impl State {
             }
         }
         self.live = self.live + change.add.len() - change.remove.len();
+        if let Some(candidates) = candidates {
+            self.track(change, &candidates);
+        }
     }
 }
