@@ -209,3 +209,15 @@ mod interrupted {
         assert!(!dir.path().join("m.h5").exists() && !dir.path().join("m.h5.cert").exists());
     }
 }
+
+#[test]
+fn self_intersections_can_be_allowed() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("x.off"), CROSSING).unwrap();
+    let built = homeo(dir.path(), &["build", "x.off", "-o", "x.h5", "--allow-self-intersections"]);
+    assert_eq!(built.status.code(), Some(0), "{built:?}");
+    let said = String::from_utf8_lossy(&built.stdout).into_owned();
+    assert!(said.contains("section-all-orders") && said.contains("Not claimed: disjoint, i2"), "{said}");
+    let checked = homeo(dir.path(), &["check", "x.h5.cert", "x.h5"]);
+    assert!(String::from_utf8_lossy(&checked.stdout).starts_with("valid\n"), "{checked:?}");
+}

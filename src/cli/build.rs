@@ -10,7 +10,7 @@ use super::check::first_line;
 use super::checkpoint::{self, Keeper};
 use super::output::{self, Json, Staged};
 use super::progress::{Finishing, Progress, Style};
-use crate::certify::{CertifyError, Observer as _, Options, Outcome, certify};
+use crate::certify::{CertifyError, Claim, Observer as _, Options, Outcome, certify};
 use crate::construct::measure::{Distance, distance};
 use crate::construct::optimise::{Counts, Optimiser};
 use crate::construct::{BuildError, Initial, InitialOptions, OptimiseOptions, Thickness, initial};
@@ -18,6 +18,13 @@ use crate::mesh::{self, TriMesh};
 use crate::report::Parts;
 use crate::shell::Shell;
 use crate::shell::hdf5::{self, ShellFile};
+
+/// What `--allow-self-intersections` gives up.
+pub(super) const NOT_GUARANTEED: &str = "\
+Not claimed: disjoint, i2 (self-intersections were allowed). The map is one between abstract surfaces, whatever crosses
+             in space: where sheets cross, a point of space lies in several prisms and its projection is ambiguous, and
+             a surface remeshed in the shell may cross itself, too.
+";
 
 /// Arguments of `homeo build`.
 #[derive(Debug, clap::Args)]
@@ -57,6 +64,10 @@ pub(super) struct Args {
     threads: Option<u16>,
     #[command(flatten)]
     checkpoint: checkpoint::Args,
+    /// Build around a mesh that intersects itself, too. The map is then one between abstract surfaces: C1 to C4 are
+    /// certified, but neither `disjoint` nor `i2`
+    #[arg(long, conflicts_with = "checkpoint")]
+    pub(super) allow_self_intersections: bool,
     /// Enclose the largest distance from the middle surface to the mesh
     #[arg(long)]
     distance: bool,
@@ -136,7 +147,7 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let outcome = if args.no_certify {
         None
     } else {
-        let (outcome, seconds) = timed(|| proved(&built.shell, &read.mesh, name(), &progress));
+        let (outcome, seconds) = timed(|| proved(&built.shell, &read.mesh, claims(&args), name(), &progress));
         parts.certify = Some(seconds);
         Some(outcome?)
     };
@@ -170,7 +181,11 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
         parts,
     };
     let report = report(&facts)?;
-    json.emit(&report, &words(&report))?;
+    let mut words = words(&report);
+    if args.allow_self_intersections {
+        words.push_str(NOT_GUARANTEED);
+    }
+    json.emit(&report, &words)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -209,28 +224,45 @@ fn build(
 ) -> Result<Built, CliError> {
     let failed = |source| checkpoint::failed(path, source);
     let resumed = if args.initial { None } else { keeper.resumed(mesh, options)? };
-    let first = initial(mesh, &InitialOptions { thickness: options.thickness }, progress).map_err(failed)?;
+    let allow_self_intersections = args.allow_self_intersections;
+    let first = InitialOptions { thickness: options.thickness, allow_self_intersections };
+    let first = initial(mesh, &first, progress).map_err(failed)?;
     progress.prisms(first.shell.faces.len() as u64);
     if args.initial {
         return Ok(Built { shell: first.shell.clone(), first, counts: None, stopped: false });
     }
     let mut work = match resumed {
         Some(work) => work,
+        None if allow_self_intersections => {
+            Optimiser::local(mesh, &first.shell, &first.origin, options).map_err(failed)?
+        }
         None => Optimiser::new(mesh, &first.shell, options).map_err(failed)?,
     };
     keeper.save(&work)?;
     let stopped = work.run(progress, |work| keeper.save_if_due(work))?;
     keeper.save(&work)?;
-    Ok(Built { shell: work.shell(), first, counts: Some(work.counts()), stopped })
+    Ok(Built { shell: work.shell().map_err(failed)?, first, counts: Some(work.counts()), stopped })
+}
+
+/// The claims about the shell, with all that they rest on.
+fn claims(args: &Args) -> Vec<Claim> {
+    if args.allow_self_intersections { vec![Claim::SectionAllOrders] } else { Claim::ALL.to_vec() }
 }
 
 /// All claims, each certified: nothing else is written.
-fn proved(shell: &Shell, mesh: &TriMesh, file: String, progress: &Progress) -> Result<Outcome, CliError> {
+fn proved(
+    shell: &Shell,
+    mesh: &TriMesh,
+    claims: Vec<Claim>,
+    file: String,
+    progress: &Progress,
+) -> Result<Outcome, CliError> {
     // An interruption has ended the optimisation; what it left is still to be certified.
-    let outcome = match certify(shell, Some(mesh), &Options::default(), &Finishing(progress)) {
-        Ok(outcome) => outcome,
-        Err(source) => return Err(CliError::Certify { files: file, source }),
-    };
+    let outcome =
+        match certify(shell, Some(mesh), &Options { claims, ..Options::default() }, &Finishing(progress)) {
+            Ok(outcome) => outcome,
+            Err(source) => return Err(CliError::Certify { files: file, source }),
+        };
     match outcome.claims.iter().flat_map(|c| &c.refutations).next() {
         None => Ok(outcome),
         Some(refuted) => Err(CliError::NotProved { file, reason: refuted.text.clone() }),

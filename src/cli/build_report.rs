@@ -84,6 +84,7 @@ fn operations(counts: &Counts) -> BTreeMap<&'static str, u64> {
     [
         ("collapses", counts.collapses),
         ("flips", counts.flips),
+        ("splits", counts.splits),
         ("moves", counts.moves),
         ("rounds", counts.rounds),
     ]

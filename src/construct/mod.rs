@@ -7,14 +7,16 @@ mod bevel;
 mod boundary;
 pub mod direction;
 mod draft;
+mod fixed;
 mod gate;
 mod initial;
 pub mod measure;
 pub mod optimise;
 mod sample;
+mod scale;
 mod thickness;
 
 pub use gate::BuildError;
 pub use initial::{Initial, InitialOptions, Thickness, initial};
-pub use optimise::{OptimiseOptions, Optimised, optimise};
+pub use optimise::{OptimiseOptions, Optimised, optimise, optimise_locally};
 pub use sample::{Sample, dent, icosphere, sample};

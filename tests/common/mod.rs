@@ -197,9 +197,12 @@ fn beveled_box() -> Case {
     let sides = [[0u32, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let f: Vec<[u32; 3]> = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
     let cube = mesh(&v, &f);
-    let built =
-        homeo::construct::initial(&cube, &InitialOptions { thickness: Thickness::Share(0.25) }, &Silent)
-            .unwrap();
+    let built = homeo::construct::initial(
+        &cube,
+        &InitialOptions { thickness: Thickness::Share(0.25), ..InitialOptions::default() },
+        &Silent,
+    )
+    .unwrap();
     case("box", built.shell, cube, &[], &["contact-sep ", "sep "])
 }
 

@@ -15,6 +15,8 @@ use super::schedule::{Counts, Pass, Position, REPEATS};
 use super::state::{GONE, State};
 use super::{OptimiseOptions, Optimiser, rules};
 use crate::construct::Thickness;
+use crate::construct::gate::BuildError;
+use crate::construct::scale::Scale;
 use crate::mesh::{self, Connectivity, MeshError, TriMesh};
 use crate::shell::validate::{self, ShellError};
 
@@ -59,6 +61,12 @@ pub enum CheckpointError {
     /// Its shell breaks the input conditions.
     #[error("the checkpoint is damaged: {0}; remove it to start anew")]
     Shell(#[from] ShellError),
+    /// What prisms track around a mesh that intersects itself is not saved.
+    #[error("there are no checkpoints where self-intersections are allowed")]
+    Tracked,
+    /// The mesh can't be scaled.
+    #[error(transparent)]
+    Build(#[from] Box<BuildError>),
     /// The work could not be encoded.
     #[error("the checkpoint could not be encoded: {0}")]
     Encode(postcard::Error),
@@ -78,6 +86,9 @@ struct Saved {
 
 pub(super) fn save(optimiser: &Optimiser<'_>) -> Result<Vec<u8>, CheckpointError> {
     let Work { state, rules, counts, tried, .. } = &optimiser.work;
+    if state.tracked.is_some() {
+        return Err(CheckpointError::Tracked);
+    }
     let payload = postcard::to_stdvec(&Saved {
         faces: state.faces.clone(),
         pillars: state.pillars.clone(),
@@ -91,7 +102,7 @@ pub(super) fn save(optimiser: &Optimiser<'_>) -> Result<Vec<u8>, CheckpointError
     let mut out = Vec::with_capacity(HEADER + payload.len());
     out.extend_from_slice(MAGIC);
     out.extend_from_slice(&VERSION.to_le_bytes());
-    out.extend_from_slice(&hash_of_mesh(rules.judge.mesh));
+    out.extend_from_slice(&hash_of_mesh(&rules.judge.mesh));
     out.extend_from_slice(&hash_of_options(&optimiser.options));
     out.extend_from_slice(&Sha256::digest(&payload));
     out.extend_from_slice(&payload);
@@ -133,8 +144,10 @@ pub(super) fn resume<'m>(
     options: &OptimiseOptions,
     bytes: &[u8],
 ) -> Result<Optimiser<'m>, CheckpointError> {
-    let payload = payload(mesh, options, bytes)?;
-    mesh::check(mesh)?;
+    let scale = Scale::of(mesh);
+    let mesh = scale.mesh(mesh).map_err(Box::new)?;
+    let payload = payload(&mesh, options, bytes)?;
+    mesh::check(&mesh)?;
     let (saved, rest): (Saved, &[u8]) = postcard::take_from_bytes(payload)
         .map_err(|_| CheckpointError::Damaged("the payload is malformed"))?;
     if !rest.is_empty() {
@@ -142,14 +155,14 @@ pub(super) fn resume<'m>(
     }
     check(&saved).map_err(CheckpointError::Damaged)?;
     let state = state(&saved)?;
-    let rules = rules(mesh, options);
+    let rules = rules(mesh, &options.scaled(scale));
     let holds = |f: &[u32; 3]| *f == GONE || rules.judge.holds(&state.prism(*f, None));
     if !state.faces.par_iter().all(holds) {
         return Err(CheckpointError::Damaged("its shell is not valid around the mesh"));
     }
     let tried = Tried::of(saved.tried);
     let work = Work { state, rules, counts: saved.counts, tried, seed: options.seed };
-    Ok(Optimiser { work, position: saved.position, options: *options })
+    Ok(Optimiser { work, position: saved.position, options: *options, scale })
 }
 
 /// The payload, if the header says that it is that of this mesh and these options, whole.

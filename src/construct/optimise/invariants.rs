@@ -5,6 +5,8 @@
 //! condition is stricter). Contacts at a pinched vertex alone are excepted. With the manifold conditions that the
 //! operations check, the mesh stays a section in all vertex orders.
 
+use std::borrow::Cow;
+
 use super::prism::Prism;
 use super::state::{Change, State};
 use super::tree::{Box3, Tree};
@@ -16,7 +18,7 @@ use crate::shell::Slab;
 /// Judges prisms against a mesh.
 #[derive(Debug)]
 pub(crate) struct Judge<'a> {
-    pub(crate) mesh: &'a TriMesh,
+    pub(crate) mesh: Cow<'a, TriMesh>,
     pub(crate) tree: Tree,
     normals: Vec<[f64; 3]>,
     /// The distortion bound: least cosine between a triangle's normal and the pillars of the tets that it touches.
@@ -51,49 +53,63 @@ impl<'p> View<'p> {
 
 impl<'a> Judge<'a> {
     /// O(n log n) for n mesh triangles.
-    pub(crate) fn new(mesh: &'a TriMesh, least_cosine: f64) -> Self {
+    pub(crate) fn new(mesh: Cow<'a, TriMesh>, least_cosine: f64) -> Self {
         let normals =
             mesh.faces.iter().map(|f| float_normal(f.map(|v| &mesh.vertices[v as usize]))).collect();
-        Self { mesh, tree: Tree::new(mesh), normals, least_cosine }
+        Self { tree: Tree::new(&mesh), mesh, normals, least_cosine }
     }
 
     /// The corners of a mesh triangle.
-    pub(crate) fn corners(&self, f: u32) -> [&'a [f64; 3]; 3] {
+    pub(crate) fn corners(&self, f: u32) -> [&[f64; 3]; 3] {
         self.mesh.faces[f as usize].map(|v| &self.mesh.vertices[v as usize])
     }
 
     /// Do all invariants hold after the change, and the distortion bound, or is the distortion at least no worse than
     /// before?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
-        self.prefers(&state.prisms(change), || state.prisms_before(change))
+        let tracked = state.candidates(change);
+        self.prefers(&state.prisms(change), tracked.as_deref(), || state.prisms_before(change))
     }
 
     /// Do all invariants hold of the prisms `after`, and the distortion bound, or is it at least no worse than in
-    /// those before?
-    pub(crate) fn prefers(&self, after: &[Prism], before: impl FnOnce() -> Vec<Prism>) -> bool {
+    /// those before? Judged against the tracked triangles, or against all.
+    pub(crate) fn prefers(
+        &self,
+        after: &[Prism],
+        tracked: Option<&[u32]>,
+        before: impl FnOnce() -> Vec<Prism>,
+    ) -> bool {
         after.iter().all(Prism::is_positive)
-            && self.worst_cosine(after).is_some_and(|cosine| {
+            && self.worst_cosine(after, tracked).is_some_and(|cosine| {
                 cosine >= self.least_cosine
-                    || self.worst_cosine(&before()).is_some_and(|before| cosine >= before)
+                    || self.worst_cosine(&before(), tracked).is_some_and(|before| cosine >= before)
             })
     }
 
     /// Do the invariants hold of a prism?
     pub(crate) fn holds(&self, prism: &Prism) -> bool {
-        prism.is_positive() && self.worst_cosine(std::slice::from_ref(prism)).is_some()
+        prism.is_positive() && self.worst_cosine(std::slice::from_ref(prism), None).is_some()
     }
 
-    /// Of positive prisms: the smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an
-    /// invariant about the mesh is broken.
-    fn worst_cosine(&self, prisms: &[Prism]) -> Option<f64> {
+    /// Of positive prisms: the smallest cosine that the distortion bound is about, or the bound where all are larger;
+    /// `None` where an invariant about the mesh is broken.
+    fn worst_cosine(&self, prisms: &[Prism], tracked: Option<&[u32]>) -> Option<f64> {
         let mut worst = self.least_cosine;
         let fits = prisms.iter().all(|prism| {
             let view = View::new(prism);
-            self.tree.all(&Box3::of(prism.points()), |f| {
+            let bounds = Box3::of(prism.points());
+            let mut fits = |f: u32| {
                 let found = self.pair(&view, f);
                 worst = worst.min(found.unwrap_or(worst));
                 found.is_some()
-            })
+            };
+            match tracked {
+                None => self.tree.all(&bounds, fits),
+                Some(list) => {
+                    let near = |f: &u32| bounds.meets(&Box3::of(self.corners(*f)));
+                    list.iter().copied().filter(near).all(&mut fits)
+                }
+            }
         });
         fits.then_some(worst)
     }

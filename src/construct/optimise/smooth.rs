@@ -29,11 +29,13 @@ pub(crate) struct Vertex<'a> {
     judge: &'a Judge<'a>,
     v: u32,
     pillar: Pillar,
+    tracked: Option<Vec<u32>>,
 }
 
 impl<'a> Vertex<'a> {
     pub(crate) fn new(state: &'a State, judge: &'a Judge<'a>, v: u32) -> Self {
-        Self { state, judge, v, pillar: state.pillars[v as usize] }
+        let (pillar, tracked) = (state.pillars[v as usize], state.candidates_around(v));
+        Self { state, judge, v, pillar, tracked }
     }
 
     /// What was done to the pillar.
@@ -56,7 +58,7 @@ impl<'a> Vertex<'a> {
             let prisms = self.prisms(pillar);
             if pillar.is_finite()
                 && better(&prisms)
-                && self.judge.prefers(&prisms, || self.prisms(self.pillar))
+                && self.judge.prefers(&prisms, self.tracked.as_deref(), || self.prisms(self.pillar))
             {
                 self.pillar = pillar;
                 return true;
