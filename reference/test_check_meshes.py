@@ -11,6 +11,9 @@ import check_meshes
 from check_meshes import Complex
 
 CORPUS = pathlib.Path(__file__).resolve().parent.parent / "certs" / "corpus-meshes"
+sys.path.append(str(CORPUS))
+
+import controls  # noqa: E402  the shapes of the corpus
 
 
 def rows():
@@ -111,6 +114,56 @@ class Geometry(unittest.TestCase):
         tets = Complex(3, 4, [(0, 0, 0)] * 13, [(12, c, b, a) for a, b, c in torus])
         self.assertTrue(tets.link_is_wrong(12, range(24)))
         self.assertFalse(tets.link_is_wrong(0, tets.star([0])))
+
+    def test_flat_maps_against_definition(self):
+        """C8 holds just where every two closed cells share no more than the hull of their common vertices."""
+        rng, found = random.Random(4), {True: 0, False: 0, "twice": 0, "crossing": 0}
+        for shape in (controls.square(), controls.annulus(3, 1), controls.square() + controls.square().moved(by=(5, 0)), controls.cross_glued()):
+            for _ in range(250):
+                places = list(shape.points)
+                for v in rng.sample(range(len(places)), rng.choice([0, 1, 1, 2, 3])):
+                    places[v] = [x + rng.randrange(-3, 4) for x in places[v]]
+                if len(shape.cells) == 8 and rng.random() < 0.3 and len(places) == 10:  # one square somewhere else, smaller
+                    places[5:] = [[x / 3 + rng.randrange(-4, 3), y / 3 + rng.randrange(-2, 3)] for x, y in shape.points[5:]]
+                complexes = {"a": Complex(2, 3, [(*p, 0) for p in places], shape.cells)}
+                try:
+                    check_meshes.check_position(complexes, [], "a")
+                    code = None
+                except check_meshes.Stop as stop:
+                    code = stop.args[1]
+                self.assertEqual(code is None, injective(places, shape.cells), (places, shape.cells))
+                found[code is None] += 1
+                found[code] = found.get(code, 0) + 1
+        self.assertGreater(min(found[True], found[False]), 150)
+        self.assertGreater(min(found["twice"], found["crossing"]), 20, found)
+
+
+def injective(places, cells):
+    """Clips each triangle by each other one, exactly: the corners of what is left must be in the hull of the common vertices."""
+    turn = lambda a, b, c: (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    corners = [[tuple(places[v]) for v in cell] for cell in cells]
+    if any(turn(*t) == 0 for t in corners):
+        return False
+    for i, j in itertools.combinations(range(len(cells)), 2):
+        left, common = corners[i], [tuple(places[v]) for v in set(cells[i]) & set(cells[j])]
+        sign = 1 if turn(*corners[j]) > 0 else -1
+        for k in range(3):
+            a, b = corners[j][k], corners[j][(k + 1) % 3]
+            kept = []
+            for p, q in zip(left, left[1:] + left[:1]):
+                x, y = sign * turn(a, b, p), sign * turn(a, b, q)
+                kept += [p] if x >= 0 else []
+                if x * y < 0:
+                    kept.append(tuple(u + Fraction(x, x - y) * (v - u) for u, v in zip(p, q)))
+            left = kept
+        if len(common) == 2:
+            (a, b), dot = common, lambda a, b, x: sum((q - p) * (z - p) for p, q, z in zip(a, b, x))
+            inside = lambda x: turn(a, b, x) == 0 and dot(a, b, x) >= 0 and dot(b, a, x) >= 0
+        else:
+            inside = lambda x: x in common
+        if not all(map(inside, left)):
+            return False
+    return True
 
 
 def hit_parameters(o, d, corners):

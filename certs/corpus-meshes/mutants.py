@@ -166,6 +166,7 @@ def lines(corpus):
     m("nested-rings", "between-between", "a pair twice in between", first("^(begin between\n)(sep .*\n)", r"\1\2\2"))
     m("nested-tetrahedra", "ray-of-c", "an unknown input", swap(ray, "ray c 3 7 2 4 1"))
     m("nested-tetrahedra", "ray-order", "ray b first", swap(f"{ray}\nray b 0 7 2 4", f"ray b 0 7 2 4\n{ray}"))
+    m("nested-tetrahedra", "ray-order-before-range", "ray b first, through no triangle", swap(f"{ray}\nray b", "ray b 3 7 2 4 9\nray b"))
     m("nested-tetrahedra", "ray-without-a", "no ray a", drop(ray))
     m("nested-tetrahedra", "ray-without-b", "no ray b", drop("ray b 0 7 2 4"))
     m("nested-tetrahedra", "ray-without-direction", "a direction that is zero", swap(ray, "ray a 3 0 0 0 1"))
