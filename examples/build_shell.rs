@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let polish = option("--polish").map_or(Ok(20), |t| t.parse())?;
     let mesh = mesh::read(Path::new(path))?.mesh;
     let start = Instant::now();
-    let first = initial(&mesh, &InitialOptions { thickness: thick }, &Silent)?;
+    let first = initial(&mesh, &InitialOptions { thickness: thick, ..InitialOptions::default() }, &Silent)?;
     let middle = start.elapsed().as_secs_f64();
     let options =
         OptimiseOptions { thickness: thick, max_angle_degrees: angle, polish, ..OptimiseOptions::default() };

@@ -18,7 +18,7 @@ mod pairs;
 mod path;
 mod point;
 pub(crate) mod positivity;
-mod prisms;
+pub(crate) mod prisms;
 mod proof;
 mod section;
 mod separate;

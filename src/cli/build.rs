@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use super::CliError;
 use super::output::{self, one_line};
 use super::progress::Progress;
-use crate::certify::{Options, Outcome, Silent, certify};
+use crate::certify::{Claim, Options, Outcome, Silent, certify};
 use crate::construct::{BuildError, InitialOptions, OptimiseOptions, initial, optimise};
 use crate::mesh::{self, TriMesh};
 use crate::shell::Shell;
@@ -25,6 +25,9 @@ pub(super) struct Args {
     /// Largest thickness of each half, as a share of the longest edge of the mesh's bounding box
     #[arg(long, value_name = "SHARE", default_value_t = 0.1)]
     thickness: f64,
+    /// A shell that does not overlap itself, with the claim `disjoint-prisms` in its certificate
+    #[arg(long)]
+    no_overlap: bool,
     /// Keep the initial shell, whose middle surface is the mesh itself, refined
     #[arg(long)]
     initial: bool,
@@ -89,7 +92,8 @@ fn beside(shell: &Path) -> PathBuf {
 /// The shell, and how it came about in words.
 fn build(mesh: &TriMesh, args: &Args) -> Result<(Shell, String), BuildError> {
     let progress = Progress::new(args.quiet);
-    let first = initial(mesh, &InitialOptions { thickness: args.thickness }, &progress)?;
+    let first =
+        initial(mesh, &InitialOptions { thickness: args.thickness, no_overlap: args.no_overlap }, &progress)?;
     let pinched = first.pinched.iter().filter(|p| **p).count();
     let prisms = first.shell.faces.len();
     let start = format!(
@@ -102,6 +106,7 @@ fn build(mesh: &TriMesh, args: &Args) -> Result<(Shell, String), BuildError> {
     let options = OptimiseOptions {
         thickness: args.thickness,
         time_limit: args.time_limit.map(Duration::from_secs),
+        no_overlap: args.no_overlap,
         ..OptimiseOptions::default()
     };
     let done = optimise(mesh, &first.shell, &options, &progress)?;
@@ -113,7 +118,9 @@ fn build(mesh: &TriMesh, args: &Args) -> Result<(Shell, String), BuildError> {
 fn proved(shell: &Shell, mesh: &TriMesh, args: &Args) -> Result<Outcome, CliError> {
     let file = || args.mesh.display().to_string();
     // An interruption has ended the optimisation; what it left is still to be certified.
-    let outcome = certify(shell, Some(mesh), &Options::default(), &Silent)
+    let mut options = Options::default();
+    options.claims.extend(args.no_overlap.then_some(Claim::DisjointPrisms));
+    let outcome = certify(shell, Some(mesh), &options, &Silent)
         .map_err(|source| CliError::Certify { files: file(), source })?;
     match outcome.claims.iter().flat_map(|c| &c.refutations).next() {
         None => Ok(outcome),

@@ -15,11 +15,13 @@ use crate::shell::Shell;
 pub struct InitialOptions {
     /// Largest thickness of each half, as a share of the longest edge of the mesh's bounding box.
     pub thickness: f64,
+    /// Shrink until the shell does not overlap itself (claim `disjoint-prisms`).
+    pub no_overlap: bool,
 }
 
 impl Default for InitialOptions {
     fn default() -> Self {
-        Self { thickness: 0.1 }
+        Self { thickness: 0.1, no_overlap: false }
     }
 }
 
@@ -73,7 +75,7 @@ pub fn initial(
         no_two_pinched(&draft)?;
         observer.stage("thickness", None);
         thickness::first_guess(&mut draft, mesh, most);
-        match thickness::shrink(&mut draft, mesh, &connectivity, observer)? {
+        match thickness::shrink(&mut draft, mesh, &connectivity, options.no_overlap, observer)? {
             Shrunk::Fits(rounds) => {
                 let beveled = marks.iter().filter(|b| **b).count();
                 let shell = draft.shell();

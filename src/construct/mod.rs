@@ -10,6 +10,7 @@ mod draft;
 mod gate;
 mod initial;
 pub mod optimise;
+mod overlap;
 mod sample;
 mod thickness;
 

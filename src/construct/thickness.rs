@@ -8,6 +8,7 @@ use rstar::{AABB, RTree};
 use super::direction::{float_cross, float_dot};
 use super::draft::Draft;
 use super::gate::BuildError;
+use super::overlap;
 use crate::certify::complex::{Boundary, MeshView};
 use crate::certify::disjoint::{self, About};
 use crate::certify::{Observer, i2, positivity};
@@ -93,18 +94,22 @@ pub(crate) enum Shrunk {
 }
 
 /// Shrinks until all 24 tets of every prism are positive, no mesh triangle meets bottom or top, and no triangle touches
-/// a tet in the wrong direction (C1 and the extra conditions of C3+).
+/// a tet in the wrong direction (C1 and the extra conditions of C3+); if wanted, until the shell does not overlap itself.
 pub(crate) fn shrink(
     draft: &mut Draft,
     mesh: &TriMesh,
     connectivity: &Connectivity,
+    no_overlap: bool,
     observer: &dyn Observer,
 ) -> Result<Shrunk, BuildError> {
     let boundary = Boundary::new(connectivity);
     let view = MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity, boundary: &boundary };
     let least = [&draft.down, &draft.up].map(|t| t.iter().map(|x| x * LEAST).collect::<Vec<f64>>());
     for round in 0.. {
-        let (mut wrong, reason) = wrong(draft, &view, observer)?;
+        let (mut wrong, mut reason) = wrong(draft, &view, observer)?;
+        if no_overlap && wrong.is_empty() {
+            (wrong, reason) = (overlap::slabs(&draft.shell(), observer)?, "the prism overlaps another one");
+        }
         wrong.sort_unstable();
         wrong.dedup();
         let Some(&(first, _)) = wrong.first() else { return Ok(Shrunk::Fits(round)) };

@@ -197,7 +197,8 @@ fn beveled_box() -> Case {
     let sides = [[0u32, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let f: Vec<[u32; 3]> = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
     let cube = mesh(&v, &f);
-    let built = homeo::construct::initial(&cube, &InitialOptions { thickness: 0.25 }, &Silent).unwrap();
+    let options = InitialOptions { thickness: 0.25, ..InitialOptions::default() };
+    let built = homeo::construct::initial(&cube, &options, &Silent).unwrap();
     case("box", built.shell, cube, &[], &["contact-sep ", "sep "])
 }
 

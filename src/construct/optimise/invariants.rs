@@ -61,7 +61,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Do all invariants hold after the change, and the distortion bound, or is the distortion at least no worse than
-    /// before?
+    /// before? Where the state has a skin, does that stay free of self-intersection?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
         let after = state.prisms(change);
         after.iter().all(Prism::is_positive)
@@ -69,6 +69,7 @@ impl<'a> Judge<'a> {
                 cosine >= self.least_cosine
                     || self.worst_cosine(&state.prisms_before(change)).is_some_and(|before| cosine >= before)
             })
+            && state.skin.as_ref().is_none_or(|skin| skin.admits(state, change))
     }
 
     /// The smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an

@@ -8,10 +8,12 @@ mod cast;
 mod collapse;
 mod energy;
 mod flip;
+mod grid;
 mod invariants;
 mod limits;
 mod prism;
 mod schedule;
+mod skin;
 mod smooth;
 mod state;
 #[cfg(test)]
@@ -25,10 +27,12 @@ pub use schedule::Counts;
 use self::invariants::Judge;
 use self::limits::Limits;
 use self::schedule::{Stop, Work};
+use self::skin::Skin;
 use self::state::State;
 use super::gate::BuildError;
 use super::initial::longest_box_edge;
-use crate::certify::{CertifyError, Observer};
+use super::overlap;
+use crate::certify::{CertifyError, Observer, Silent};
 use crate::mesh::{self, Connectivity, TriMesh};
 use crate::shell::{Shell, validate};
 
@@ -46,11 +50,20 @@ pub struct OptimiseOptions {
     pub polish: usize,
     /// When to stop with what has been reached.
     pub time_limit: Option<Duration>,
+    /// Keep the shell from overlapping itself (claim `disjoint-prisms`); it must not do so at the start.
+    pub no_overlap: bool,
 }
 
 impl Default for OptimiseOptions {
     fn default() -> Self {
-        Self { thickness: 0.1, max_energy: 30.0, max_angle_degrees: 89.95, polish: 20, time_limit: None }
+        Self {
+            thickness: 0.1,
+            max_energy: 30.0,
+            max_angle_degrees: 89.95,
+            polish: 20,
+            time_limit: None,
+            no_overlap: false,
+        }
     }
 }
 
@@ -71,7 +84,7 @@ pub struct Optimised {
 /// Every operation costs O(log n + k) for n mesh triangles, k of which are near its prisms.
 ///
 /// # Errors
-/// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section 1).
+/// [`BuildError::Overlap`] where it must not overlap itself and does; [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section 1).
 /// The claims themselves are not checked here: on a shell that is not valid the result is not, either.
 pub fn optimise(
     mesh: &TriMesh,
@@ -90,6 +103,15 @@ pub fn optimise(
         counts: Counts::default(),
         tried: schedule::Tried::default(),
     };
+    if options.no_overlap {
+        overlap::refuse(shell, observer)?;
+        work.state.skin = Some(Skin::new(&work.state));
+    }
     work.run(options.polish, &mut stop);
-    Ok(Optimised { shell: work.state.shell(), counts: work.counts, stopped: stop.stopped() })
+    let shell = work.state.shell();
+    if options.no_overlap {
+        // The skin is one half of the claim; the other half, that no part lies within another, is global.
+        overlap::refuse(&shell, &Silent)?;
+    }
+    Ok(Optimised { shell, counts: work.counts, stopped: stop.stopped() })
 }

@@ -1,6 +1,7 @@
 //! The shell under optimisation: faces of the middle complex, stars of its vertices, pillars.
 
 use super::prism::{Pillar, Prism};
+use super::skin::Skin;
 use crate::mesh::Connectivity;
 use crate::shell::Shell;
 
@@ -22,6 +23,8 @@ pub(crate) struct State {
     pub(crate) clock: u64,
     /// Per vertex the number of the last change to its pillar or star.
     pub(crate) changed: Vec<u64>,
+    /// The skin, where it must stay free of self-intersection.
+    pub(crate) skin: Option<Skin>,
 }
 
 /// A replacement of faces by no more faces, and of at most one pillar by another.
@@ -61,6 +64,7 @@ impl State {
             live: shell.faces.len(),
             clock: 0,
             changed: vec![0; n],
+            skin: None,
         }
     }
 
@@ -176,5 +180,9 @@ impl State {
             }
         }
         self.live = self.live + change.add.len() - change.remove.len();
+        if let Some(mut skin) = self.skin.take() {
+            skin.update(self, change);
+            self.skin = Some(skin);
+        }
     }
 }
