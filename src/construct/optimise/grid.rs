@@ -67,6 +67,12 @@ impl<T: Copy + PartialEq> Grid<T> {
         }
     }
 
+    /// How often things stand in cells.
+    #[cfg(test)]
+    pub(crate) fn len(&self) -> usize {
+        self.levels.values().flat_map(FxHashMap::values).map(Vec::len).sum()
+    }
+
     /// Does `holds` answer `true` for everything whose box meets the box? Each is asked about once.
     pub(crate) fn all(&self, wanted: &Box3, mut holds: impl FnMut(&T) -> bool) -> bool {
         self.levels.iter().all(|(&level, grid)| {

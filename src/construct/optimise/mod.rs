@@ -11,6 +11,8 @@ mod flip;
 mod grid;
 mod invariants;
 mod limits;
+#[cfg(test)]
+mod overlap_tests;
 mod prism;
 mod schedule;
 mod skin;

@@ -102,6 +102,12 @@ impl Skin {
         }
     }
 
+    /// Are the triangles of all faces the same?
+    #[cfg(test)]
+    pub(crate) fn same(&self, other: &Self) -> bool {
+        self.of == other.of && self.grid.len() == other.grid.len()
+    }
+
     fn set(&mut self, f: u32, new: Option<[Outside; 2]>) {
         if self.of.get(&f).copied() == new {
             return;
