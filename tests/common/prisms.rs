@@ -62,12 +62,12 @@ pub(super) fn cases() -> Vec<Case> {
             options: listed,
             ..about("", extruded(&p, &q, DOWN, UP), &[], &["sep "])
         },
-        about("lenses", lenses([1.0, 2.0, 3.0], [0.5, 0.0, -0.5]), &[], &["pinched 64 0 1 2 3"]),
+        about("lenses", lenses([1.0, 2.0, 3.0], [0.5, 0.0, -0.5]), &[], &["pinched 128 0 1 2 3"]),
         about("lenses-crossed", lenses([1.0, 2.0, 3.0], [4.0, 3.5, 2.0]), OVERLAP, &["overlap "]),
         about("patches", two_patches(1.0), &[], &["pinched 0"]),
         about("patch-in-patch", two_patches(0.25), OVERLAP, &["overlap "]),
         about("stacked-touching", stacked(2.0), OVERLAP, &["overlap "]),
         about("wound-ring", extruded(&r, &rf, DOWN, UP), OVERLAP, &["overlap "]),
-        about("prisms-flat", flat_tet, OVERLAP, &["tet 0 m0,m1,t1,m2 0"]),
+        about("prisms-flat", flat_tet, OVERLAP, &["tet 0 m0,m1,t1,t2 0"]),
     ]
 }

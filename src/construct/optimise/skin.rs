@@ -37,12 +37,25 @@ impl Outside {
         match common {
             0 => !triangle_triangle(a, b).meets(),
             // What else is shared is a cone at the common corner, and reaches an opposite side.
-            1 => !segment_triangle([a[1], a[2]], b).meets() && !segment_triangle([b[1], b[2]], a).meets(),
+            1 => {
+                beside(a, b)
+                    || !segment_triangle([a[1], a[2]], b).meets()
+                        && !segment_triangle([b[1], b[2]], a).meets()
+            }
             // More than the common side only if they lie in one plane, on one side of it.
             2 => !orient3d(a[0], a[1], a[2], b[2]).is_zero() || triangle_triangle(a, b) <= Meeting::Segment,
             _ => false,
         }
     }
+}
+
+/// Do triangles with a common first corner meet there only, since one's plane has the other strictly on a side?
+fn beside(a: [&[f64; 3]; 3], b: [&[f64; 3]; 3]) -> bool {
+    let apart = |p: [&[f64; 3]; 3], q: [&[f64; 3]; 3]| {
+        let side = |x| orient3d(p[0], p[1], p[2], x);
+        !side(q[1]).is_zero() && side(q[1]) == side(q[2])
+    };
+    apart(a, b) || apart(b, a)
 }
 
 /// The index of the skin.
