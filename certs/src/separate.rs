@@ -87,14 +87,14 @@ impl Pair<'_> {
 /// `disjoint-*` or `i2` certified: the lines are about just the pairs that need planes, and their planes separate. The
 /// first triangles are those of the mesh, except for `disjoint-prisms`.
 pub(crate) fn disjoint(world: &World, sets: &Sets, lines: &[Separation]) -> Res {
-    let &Sets { ref first, ref second, itself } = sets;
+    let Sets { first, second, itself } = sets;
     let tree = Tree::new(second.iter().map(|points| Aabb::of(&world.keys, points)));
     each(first.len(), |i| {
         let a = first[i];
         let bounds = Aabb::of(&world.keys, &a);
         let [from, to] = [i, i + 1].map(|i| lines.partition_point(|line| line.pair.0 < i));
         let mut partners = tree.meeting(&bounds);
-        partners.retain(|&j| !itself || i < j);
+        partners.retain(|&j| !*itself || i < j);
         for j in distinct(partners.into_iter().chain(lines[from..to].iter().map(|line| line.pair.1))) {
             let mut open = vec![&second[j][..]];
             if second[j].len() > 3 {
@@ -102,7 +102,7 @@ pub(crate) fn disjoint(world: &World, sets: &Sets, lines: &[Separation]) -> Res 
                 let steep = |t: &&Tet| !rises && world.sign(world.dot(i, t.pillar)) <= 0;
                 open = world.tets[j].iter().filter(steep).map(|tet| &tet.names[..]).collect();
             }
-            let pair = |b| Pair { world, a, b, itself };
+            let pair = |b| Pair { world, a, b, itself: *itself };
             open.retain(|b| Aabb::of(&world.keys, b).meets(&bounds) && !pair(b).separate_alone());
             // In the order of names; a pair of triangles has at most one line.
             for line in lines[from..to].iter().filter(|line| line.pair.1 == j) {

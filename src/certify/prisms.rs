@@ -100,9 +100,8 @@ struct Job<'a> {
     skin: Vec<Outside>,
 }
 
-/// What a pair of triangles of the skin turned out to be.
+/// What a pair of triangles of the skin turned out to be that the plane of neither separates.
 enum Found {
-    OwnPlane,
     Planes(Vec<PlaneName>),
     Overlap(Box<Overlap>),
 }
@@ -137,17 +136,20 @@ pub(crate) fn decide(
             }
             observer.advance(1);
             let near = tree.meeting(&job.skin[i as usize].0.map(|n| shell.position(n)));
-            near.into_iter()
-                .filter(|&j| j > i)
-                .map(|j| Ok((i, j, job.pair(i, j)?)))
-                .collect::<Result<Vec<_>, _>>()
+            let (mut pairs, mut open) = (0, Vec::new());
+            for j in near.into_iter().filter(|&j| j > i) {
+                pairs += 1;
+                // Most pairs are separated at once: nothing is kept of them.
+                open.extend(job.pair(i, j)?.map(|found| (i, j, found)));
+            }
+            Ok((pairs, open))
         })
         .collect();
-    for list in found {
-        for (i, j, found) in list? {
-            out.pairs += 1;
+    for part in found {
+        let (pairs, open) = part?;
+        out.pairs += pairs;
+        for (i, j, found) in open {
             match found {
-                Found::OwnPlane => {}
                 Found::Planes(planes) => out.separations.push((i, j, planes)),
                 Found::Overlap(overlap) => out.overlaps.push(*overlap),
             }
@@ -162,7 +164,7 @@ impl<'a> Job<'a> {
         self.skin[i as usize].0.map(|n| Named { name: PointName::Shell(n), at: self.shell.position(n) })
     }
 
-    fn pair(&self, i: u32, j: u32) -> Result<Found, CertifyError> {
+    fn pair(&self, i: u32, j: u32) -> Result<Option<Found>, CertifyError> {
         let (a, b) = (self.corners(i), self.corners(j));
         let points: Vec<Named<'_>> = a.into_iter().chain(b).collect();
         let is_common = |k: usize| {
@@ -172,20 +174,20 @@ impl<'a> Job<'a> {
         let common = (0..6).map(is_common).collect();
         let pair = Pair { common, points, split: 3, exact_common: true };
         if pair.closed_by([0, 1, 2]) || pair.closed_by([3, 4, 5]) {
-            return Ok(Found::OwnPlane);
+            return Ok(None);
         }
         if let Some(planes) = pair.separation() {
-            return Ok(Found::Planes(planes));
+            return Ok(Some(Found::Planes(planes)));
         }
         let crossing = crossing(i, j, a, b)?;
         let (owner, weights) =
             ([i, j].map(|i| self.skin[i as usize]), [crossing.in_first, crossing.in_second]);
         let [first, second] = [0, 1].map(|k| self.in_tet(owner[k], &weights[k]));
-        Ok(Found::Overlap(Box::new(Overlap {
+        Ok(Some(Found::Overlap(Box::new(Overlap {
             tets: [first.0, second.0],
             prisms: owner.map(|(_, tet)| self.tets[tet as usize].prism),
             weights: [first.1, second.1],
-        })))
+        }))))
     }
 
     /// Weights on a triangle of the skin as weights on its tet.
