@@ -106,10 +106,10 @@ fn one_prism_is_disjoint() {
     let (low, high) = ("b0,b1,b2,m2", "m0,m1,m2,t2");
     refuted(&format!("overlap {low} 0 0 0 1 {high} 0 0 1 0")).reject("not-refuted");
     refuted(&format!("overlap {low} 0 0 1 1 {high} 0 0 1 0")).reject("wrong-point");
-    refuted(&format!("overlap b0,b1,b2,m1 0 0 0 1 {high} 0 0 1 0")).reject("unknown-tet");
+    refuted(&format!("overlap b0,b1,m2,t2 0 0 0 1 {high} 0 0 1 0")).reject("unknown-tet");
     refuted("tet 0 b0,b1,b2,m2 1").reject("not-refuted");
     refuted("tet 0 b0,b1,b2,m2 -1").reject("wrong-value");
-    refuted("tet 0 b0,b1,b2,m1 1").reject("unknown-tet");
+    refuted("tet 0 b0,b1,m2,t2 1").reject("unknown-tet");
 }
 
 #[test]
