@@ -64,6 +64,9 @@ pub(super) struct Args {
     threads: Option<u16>,
     #[command(flatten)]
     checkpoint: checkpoint::Args,
+    /// A shell that does not overlap itself, with the claim `disjoint-prisms` in its certificate
+    #[arg(long, conflicts_with = "allow_self_intersections")]
+    no_overlap: bool,
     /// Build around a mesh that intersects itself, too. The map is then one between abstract surfaces: C1 to C4 are
     /// certified, but neither `disjoint` nor `i2`
     #[arg(long, conflicts_with = "checkpoint")]
@@ -113,6 +116,7 @@ impl Args {
             polish: self.polish,
             time_limit: self.time_limit.map(Duration::from_secs),
             seed: self.seed,
+            no_overlap: self.no_overlap,
         })
     }
 }
@@ -225,7 +229,8 @@ fn build(
     let failed = |source| checkpoint::failed(path, source);
     let resumed = if args.initial { None } else { keeper.resumed(mesh, options)? };
     let allow_self_intersections = args.allow_self_intersections;
-    let first = InitialOptions { thickness: options.thickness, allow_self_intersections };
+    let (thickness, no_overlap) = (options.thickness, options.no_overlap);
+    let first = InitialOptions { thickness, allow_self_intersections, no_overlap };
     let first = initial(mesh, &first, progress).map_err(failed)?;
     progress.prisms(first.shell.faces.len() as u64);
     if args.initial {
@@ -246,7 +251,13 @@ fn build(
 
 /// The claims about the shell, with all that they rest on.
 fn claims(args: &Args) -> Vec<Claim> {
-    if args.allow_self_intersections { vec![Claim::SectionAllOrders] } else { Claim::ALL.to_vec() }
+    if args.allow_self_intersections {
+        vec![Claim::SectionAllOrders]
+    } else if args.no_overlap {
+        Claim::ALL.to_vec()
+    } else {
+        Claim::STANDARD.to_vec()
+    }
 }
 
 /// All claims, each certified: nothing else is written.

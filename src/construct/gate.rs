@@ -74,6 +74,14 @@ pub enum BuildError {
         /// What it should have been scaled by.
         exponent: i32,
     },
+    /// The shell overlaps itself.
+    #[error("the shell overlaps itself: prisms {} and {} share more than a face ({count} such pairs of tets)", .prisms[0], .prisms[1])]
+    Overlap {
+        /// The first pair.
+        prisms: [u32; 2],
+        /// How many pairs of tets there are.
+        count: usize,
+    },
     /// The certifier did not answer.
     #[error(transparent)]
     Certify(#[from] CertifyError),

@@ -53,6 +53,8 @@ pub struct InitialOptions {
     /// Build around a mesh that intersects itself, too: then prisms are kept clear of the triangles around their own one
     /// only (*Shell* section 6), and no claim about all pairs in space holds (C3+, C6).
     pub allow_self_intersections: bool,
+    /// Shrink until the shell does not overlap itself (claim `disjoint-prisms`).
+    pub no_overlap: bool,
 }
 
 /// An initial shell.
@@ -119,7 +121,7 @@ fn at_size_one(
         observer.stage("thickness", None);
         let against = Against { mesh, connectivity, all: !options.allow_self_intersections };
         thickness::first_guess(&mut draft, &against, most);
-        match thickness::shrink(&mut draft, &against, observer)? {
+        match thickness::shrink(&mut draft, &against, options.no_overlap, observer)? {
             Shrunk::Fits(rounds) => {
                 let beveled = marks.iter().filter(|b| **b).count();
                 let shell = draft.shell();

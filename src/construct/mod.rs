@@ -12,6 +12,7 @@ mod gate;
 mod initial;
 pub mod measure;
 pub mod optimise;
+mod overlap;
 mod sample;
 mod scale;
 mod thickness;

@@ -8,6 +8,7 @@ use rstar::{AABB, RTree};
 use super::direction::{float_cross, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::BuildError;
+use super::overlap;
 use crate::certify::complex::{Boundary, MeshView};
 use crate::certify::disjoint::{self, About};
 use crate::certify::{Observer, i2, positivity};
@@ -139,6 +140,7 @@ pub(crate) enum Shrunk {
 pub(crate) fn shrink(
     draft: &mut Draft,
     against: &Against<'_>,
+    no_overlap: bool,
     observer: &dyn Observer,
 ) -> Result<Shrunk, BuildError> {
     let (mesh, connectivity) = (against.mesh, against.connectivity);
@@ -146,7 +148,10 @@ pub(crate) fn shrink(
     let view = MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity, boundary: &boundary };
     let mut patience = Patience::new(draft);
     for round in 0.. {
-        let (mut wrong, reason) = wrong(draft, against, &view, observer)?;
+        let (mut wrong, mut reason) = wrong(draft, against, &view, observer)?;
+        if no_overlap && wrong.is_empty() {
+            (wrong, reason) = (overlap::slabs(&draft.shell(), observer)?, "the prism overlaps another one");
+        }
         wrong.sort_unstable();
         wrong.dedup();
         let Some(&(first, _)) = wrong.first() else { return Ok(Shrunk::Fits(round)) };

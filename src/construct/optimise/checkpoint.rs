@@ -12,6 +12,7 @@ use super::batch::Work;
 use super::operation::{Key, Operation, Tried};
 use super::prism::Pillar;
 use super::schedule::{Counts, Pass, Position, REPEATS};
+use super::skin::Skin;
 use super::state::{GONE, State};
 use super::{OptimiseOptions, Optimiser, rules};
 use crate::construct::Thickness;
@@ -123,7 +124,8 @@ fn hash_of_mesh(mesh: &TriMesh) -> [u8; HASH] {
 
 /// Of all options that the result depends on.
 fn hash_of_options(options: &OptimiseOptions) -> [u8; HASH] {
-    let OptimiseOptions { thickness, max_energy, max_angle_degrees, polish, time_limit: _, seed } = options;
+    let OptimiseOptions { thickness, max_energy, max_angle_degrees, polish, time_limit: _, seed, no_overlap } =
+        options;
     let mut sha = Sha256::new();
     let (kind, thickness) = match thickness {
         Thickness::Share(share) => (0, share),
@@ -133,7 +135,7 @@ fn hash_of_options(options: &OptimiseOptions) -> [u8; HASH] {
     for x in [thickness, max_energy, max_angle_degrees] {
         sha.update(x.to_le_bytes());
     }
-    for n in [*polish as u64, *seed] {
+    for n in [*polish as u64, *seed, u64::from(*no_overlap)] {
         sha.update(n.to_le_bytes());
     }
     sha.finalize().into()
@@ -154,7 +156,8 @@ pub(super) fn resume<'m>(
         return Err(CheckpointError::Damaged("there are bytes after the end"));
     }
     check(&saved).map_err(CheckpointError::Damaged)?;
-    let state = state(&saved)?;
+    let mut state = state(&saved)?;
+    state.skin = options.no_overlap.then(|| Skin::new(&state));
     let rules = rules(mesh, &options.scaled(scale));
     let holds = |f: &[u32; 3]| *f == GONE || rules.judge.holds(&state.prism(*f, None));
     if !state.faces.par_iter().all(holds) {

@@ -65,10 +65,11 @@ impl<'a> Judge<'a> {
     }
 
     /// Do all invariants hold after the change, and the distortion bound, or is the distortion at least no worse than
-    /// before?
+    /// before? Where the state has a skin, does that stay free of self-intersection?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
         let tracked = state.candidates(change);
         self.prefers(&state.prisms(change), tracked.as_deref(), || state.prisms_before(change))
+            && state.skin.as_ref().is_none_or(|skin| skin.admits(state, change))
     }
 
     /// Do all invariants hold of the prisms `after`, and the distortion bound, or is it at least no worse than in

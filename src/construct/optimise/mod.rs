@@ -13,11 +13,15 @@ pub mod checkpoint;
 mod collapse;
 mod energy;
 mod flip;
+mod grid;
 mod invariants;
 mod limits;
 mod operation;
+#[cfg(test)]
+mod overlap_tests;
 mod prism;
 mod schedule;
+mod skin;
 mod smooth;
 mod split;
 mod state;
@@ -40,12 +44,14 @@ use self::invariants::Judge;
 use self::limits::Limits;
 use self::operation::{Rules, Tried};
 use self::schedule::Position;
+use self::skin::Skin;
 use self::state::State;
 use self::tracked::Tracked;
 use super::gate::BuildError;
 use super::initial::Thickness;
+use super::overlap;
 use super::scale::Scale;
-use crate::certify::{CertifyError, Observer};
+use crate::certify::{CertifyError, Observer, Silent};
 use crate::mesh::{self, Connectivity, TriMesh};
 use crate::shell::{Shell, validate};
 
@@ -67,6 +73,8 @@ pub struct OptimiseOptions {
     /// are visited in the order of their ids, and of equally long edges the one with the smaller ids is collapsed
     /// first; with another seed a hash of seed and ids takes the ids' place.
     pub seed: u64,
+    /// Keep the shell from overlapping itself (claim `disjoint-prisms`); it must not do so at the start.
+    pub no_overlap: bool,
 }
 
 impl Default for OptimiseOptions {
@@ -78,6 +86,7 @@ impl Default for OptimiseOptions {
             polish: 20,
             time_limit: None,
             seed: 0,
+            no_overlap: false,
         }
     }
 }
@@ -146,7 +155,8 @@ impl<'m> Optimiser<'m> {
     ///
     /// # Errors
     /// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section
-    /// 1); [`BuildError::Range`] near the ends of the range of doubles. The claims themselves are not checked here: on a
+    /// 1); [`BuildError::Range`] near the ends of the range of doubles; [`BuildError::Overlap`] where the shell must not
+    /// overlap itself and does. The claims themselves are not checked here: on a
     /// shell that is not valid the result is not, either.
     pub fn new(mesh: &'m TriMesh, shell: &Shell, options: &OptimiseOptions) -> Result<Self, BuildError> {
         mesh::check(mesh)?;
@@ -160,6 +170,10 @@ impl<'m> Optimiser<'m> {
             tried: Tried::default(),
             seed: options.seed,
         };
+        if options.no_overlap {
+            overlap::refuse(shell, &Silent)?;
+            work.state.skin = Some(Skin::new(&work.state));
+        }
         let position = Position::new(&mut work);
         Ok(Self { work, position, options: *options, scale })
     }
@@ -258,7 +272,12 @@ impl<'m> Optimiser<'m> {
 
     fn finish(mut self, observer: &dyn Observer) -> Result<Optimised, BuildError> {
         let Ok(stopped) = self.run(observer, |_| Ok::<(), Infallible>(()));
-        Ok(Optimised { shell: self.shell()?, counts: self.counts(), stopped })
+        let shell = self.shell()?;
+        if self.options.no_overlap {
+            // The skin is one half of the claim; the other half, that no part lies within another, is global.
+            overlap::refuse(&shell, &Silent)?;
+        }
+        Ok(Optimised { shell, counts: self.counts(), stopped })
     }
 
     /// What was done so far.

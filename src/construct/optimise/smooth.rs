@@ -49,6 +49,12 @@ impl<'a> Vertex<'a> {
         star.map(|&f| self.state.prism(self.state.faces[f as usize], Some(&(self.v, pillar)))).collect()
     }
 
+    /// Does the skin, if one is kept, stay free of self-intersection with the pillar?
+    fn fits_skin(&self, pillar: Pillar) -> bool {
+        let change = Change { moved: Some((self.v, pillar)), ..Change::default() };
+        self.state.skin.as_ref().is_none_or(|skin| skin.admits(self.state, &change))
+    }
+
     /// Takes another pillar, if some share of the step, found by halving, keeps C1 and `better`, and the invariants
     /// about the mesh hold there.
     fn attempt(&mut self, step: impl Fn(f64) -> Pillar, better: impl Fn(&[Prism]) -> bool) -> bool {
@@ -59,6 +65,7 @@ impl<'a> Vertex<'a> {
             if pillar.is_finite()
                 && better(&prisms)
                 && self.judge.prefers(&prisms, self.tracked.as_deref(), || self.prisms(self.pillar))
+                && self.fits_skin(pillar)
             {
                 self.pillar = pillar;
                 return true;

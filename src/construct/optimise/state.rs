@@ -1,6 +1,7 @@
 //! The shell under optimisation: faces of the middle complex, stars of its vertices, pillars.
 
 use super::prism::{Pillar, Prism};
+use super::skin::Skin;
 use super::tracked::Tracked;
 use crate::mesh::Connectivity;
 use crate::shell::Shell;
@@ -28,6 +29,8 @@ pub(crate) struct State {
     pub(crate) changed: Vec<u64>,
     /// Around a mesh that intersects itself: what each prism is judged against.
     pub(crate) tracked: Option<Tracked>,
+    /// The skin, where it must stay free of self-intersection.
+    pub(crate) skin: Option<Skin>,
 }
 
 /// A replacement of faces by others, and of at most one pillar by another, or a first one for the vertex [`NEW`].
@@ -70,7 +73,7 @@ impl State {
             }
         }
         let pinched = pillars.iter().map(Pillar::is_pinched).collect();
-        Self { faces, pillars, pinched, boundary, star, live, clock, changed, tracked: None }
+        Self { faces, pillars, pinched, boundary, star, live, clock, changed, tracked: None, skin: None }
     }
 
     /// The shell, ids closed up in ascending order.
@@ -220,6 +223,10 @@ impl State {
         self.live = self.live + change.add.len() - change.remove.len();
         if let Some(candidates) = candidates {
             self.track(&touched, &candidates);
+        }
+        if let Some(mut skin) = self.skin.take() {
+            skin.update(self, touched.iter().chain(&change.remove).copied());
+            self.skin = Some(skin);
         }
     }
 
