@@ -11,6 +11,7 @@
 mod area;
 mod complex;
 pub mod connectivity;
+mod correspondence;
 mod error;
 mod format;
 mod gifti;
@@ -25,6 +26,7 @@ mod rational;
 mod scan;
 mod stl;
 mod text;
+mod uv;
 mod validate;
 mod vtk;
 mod write;
@@ -35,9 +37,11 @@ mod tests;
 pub use area::is_zero_area;
 pub use complex::{Cells, Complex, ComplexFile, Positions, Space, TetMesh};
 pub use connectivity::Connectivity;
+pub use correspondence::{Place as SurfacePoint, read_correspondence};
 pub use error::{Fault, MeshError, Place};
 pub use format::{Format, MeshFile, parse, parse_complex, read, read_as, read_complex};
 pub use rational::read_rational;
+pub use uv::{UvError, UvMesh, read_uv};
 pub use validate::{Defect, DefectKind, LISTED, MeshInfo, Report, ValidMesh, check, mesh_info, validate};
 pub use write::{encode, write};
 

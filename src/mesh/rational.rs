@@ -11,7 +11,7 @@ use crate::number::{Rat, Rational as _};
 const LONGEST: usize = 100_000;
 
 /// One rational number, `-?[0-9]+(/[0-9]+)?`.
-fn number(token: &[u8]) -> Result<Rat, Fault> {
+pub(super) fn number(token: &[u8]) -> Result<Rat, Fault> {
     if token.len() > LONGEST {
         return Err(Fault::Unsupported(format!("a number of {} digits", token.len())));
     }
