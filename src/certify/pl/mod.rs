@@ -23,6 +23,9 @@ mod sound;
 mod witness;
 mod write;
 
+#[cfg(test)]
+mod tests;
+
 pub use canonical::complex_file;
 pub use correspondence::{CorrespondenceError, Mapped, map_by_correspondence};
 pub use decide::{Facts, PlError, PlOutcome, Side, embedded, pl_homeomorphism, side_facts};
