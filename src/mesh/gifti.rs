@@ -54,10 +54,10 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Parts, Located> {
                 _ => {}
             },
             Event::Text(text) if in_data => {
-                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()))
+                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()));
             }
             Event::CData(text) if in_data => {
-                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()))
+                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()));
             }
             Event::End(tag) if tag.name().as_ref() == "Data" => in_data = false,
             Event::End(tag) if tag.name().as_ref() == "DataArray" => {
