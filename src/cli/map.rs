@@ -27,7 +27,8 @@ pub(super) struct Args {
     /// Positions of B by name
     #[arg(long, value_name = "NAME")]
     b_positions: Option<String>,
-    /// With an OBJ file: cut the surface open where texture coordinates differ at a vertex
+    /// With an OBJ file: cut the surface open where texture coordinates differ at a vertex. In space the cut surface
+    /// touches itself along the seams, which refutes the claim; what is found in the plane is reported beside it
     #[arg(long)]
     cut: bool,
     /// For every vertex of surface B a line `TRIANGLE W0 W1 W2`: its place in a triangle of surface A. Decides whether
