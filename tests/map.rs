@@ -1,7 +1,6 @@
 //! `homeo map` and `mesh-info` of tet meshes as a user runs them.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // helpers outside of #[test] functions
 
-#[allow(dead_code)] // other tests use the rest of it
 mod command;
 
 use command::{code, homeo, path, schema, stderr, stdout, validate};
