@@ -192,7 +192,7 @@ fn gmsh(version: &str, binary: bool, big: bool) -> Vec<u8> {
             (0..5).for_each(|i| text(format!("{} {}", TAGS[i], point(POINTS[i]))));
             text("$EndNodes\n$Elements\n3\n9 15 2 0 0 70\n".to_owned());
             TETS.iter().for_each(|t| {
-                text(format!("8 4 2 0 1 {} {} {} {}\n", tag(t[0]), tag(t[1]), tag(t[2]), tag(t[3])))
+                text(format!("8 4 2 0 1 {} {} {} {}\n", tag(t[0]), tag(t[1]), tag(t[2]), tag(t[3])));
             });
         }
         ("2.2", true) => {
@@ -207,7 +207,7 @@ fn gmsh(version: &str, binary: bool, big: bool) -> Vec<u8> {
                 order.ints(
                     &mut out,
                     &[8, 1, tag(t[0]) as i32, tag(t[1]) as i32, tag(t[2]) as i32, tag(t[3]) as i32],
-                )
+                );
             });
         }
         (_, false) => {
@@ -281,7 +281,7 @@ fn gifti(encoding: &str) -> Vec<u8> {
     let words = |values: Vec<String>| values.join(" ");
     let (mut points, mut faces) = (Vec::new(), Vec::new());
     order.doubles(&mut points, POINTS.as_flattened());
-    order.ints(&mut faces, &FACES.as_flattened().iter().map(|v| *v as i32).collect::<Vec<_>>());
+    order.ints(&mut faces, &FACES.as_flattened().iter().map(|v| v.cast_signed()).collect::<Vec<_>>());
     let text_points = words(POINTS.as_flattened().iter().map(|x| format!("{x:?}")).collect());
     let text_faces = words(FACES.as_flattened().iter().map(ToString::to_string).collect());
     let mut out = String::from(
@@ -354,7 +354,7 @@ fn truncated_files_are_errors_or_shorter() {
         for end in 0..bytes.len() {
             match parse_complex(&bytes[..end], format, "test") {
                 Ok(file) => {
-                    assert!(file.complex.cells.len() <= 3 && file.complex.positions.len() <= 5, "{name}")
+                    assert!(file.complex.cells.len() <= 3 && file.complex.positions.len() <= 5, "{name}");
                 }
                 Err(e) => assert!(!e.to_string().contains('\n') && e.to_string().len() < 300, "{name}: {e}"),
             }
