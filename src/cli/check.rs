@@ -83,3 +83,9 @@ pub(super) fn self_check(certificate: &str, loaded: &Loaded) -> Result<Checked, 
         Err(CliError::Disagreement(first_line(&outcome)))
     }
 }
+
+/// Lets the independent checker check a certificate against the contents of its inputs.
+pub(super) fn accepted(certificate: &str, files: &[Vec<u8>]) -> Result<(), CliError> {
+    let outcome = homeo_certs::check(certificate.as_bytes(), files);
+    if outcome.exit == 0 { Ok(()) } else { Err(CliError::Disagreement(first_line(&outcome))) }
+}
