@@ -156,7 +156,7 @@ fn parse_located(bytes: &[u8], format: Format) -> Result<MeshFile, Located> {
 }
 
 /// The whole of a regular file. Devices and pipes are refused: they need not end.
-fn load(path: &Path) -> Result<Vec<u8>, Fault> {
+pub(super) fn load(path: &Path) -> Result<Vec<u8>, Fault> {
     let io = |e: std::io::Error| Fault::Io(e.to_string());
     if !std::fs::metadata(path).map_err(io)?.is_file() {
         return Err(Fault::NotAFile);
@@ -165,6 +165,6 @@ fn load(path: &Path) -> Result<Vec<u8>, Fault> {
 }
 
 /// Without a UTF-8 byte order mark.
-fn strip_bom(bytes: &[u8]) -> &[u8] {
+pub(super) fn strip_bom(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }

@@ -9,10 +9,12 @@
 //! an oriented manifold without flat triangles is the question of [`validate`] and [`check`].
 
 mod area;
+mod columns;
 pub mod connectivity;
 mod error;
 mod format;
 mod obj;
+mod obj_texture;
 mod off;
 mod ply;
 mod stl;
@@ -24,6 +26,7 @@ mod write;
 mod tests;
 
 pub use area::is_zero_area;
+pub use columns::{Column, ColumnKind, Domain, columns};
 pub use connectivity::Connectivity;
 pub use error::{Fault, MeshError, Place};
 pub use format::{Format, MeshFile, parse, read, read_as};

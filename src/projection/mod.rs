@@ -34,7 +34,7 @@
 //! | the line through the shell over a middle point | [`Projection::fibre`] |
 //! | mesh point to middle surface (`P_T`) | [`SectionMap::to_middle`] |
 //! | middle surface to mesh point (`P_T^-1`) | [`SectionMap::to_mesh`] |
-//! | mesh `A` to mesh `B` in one shell | `to_middle` of `A`, then `to_mesh` of `B` |
+//! | mesh `A` to mesh `B` in one shell | [`Transfer`](crate::transfer::Transfer), much faster than `to_middle`, then `to_mesh` |
 //!
 //! The examples `project_points` and `transfer` are complete programs.
 //!
@@ -89,3 +89,6 @@ pub use inverse::FibrePiece;
 pub use locate::{Location, Projection};
 pub use point::ShellPoint;
 pub use section::{MeshPoint, SectionMap};
+
+pub(crate) use point::{Stars, barycentric};
+pub(crate) use section::well_formed;
