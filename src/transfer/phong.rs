@@ -91,9 +91,10 @@ impl<'a> Phong<'a> {
             return None;
         }
         let mut best: Option<Found> = None;
-        for near in self.tree.nearest_neighbor_iter(p.to_array()).take(MOST) {
+        let at = p.to_array();
+        for near in self.tree.nearest_neighbor_iter(&at).take(MOST) {
             // Interpolated normals are no longer than 1, so no answer is nearer than its box.
-            if best.is_some_and(|b| near.distance_2(&p.to_array()) > b.2 * b.2) {
+            if best.is_some_and(|b| near.distance_2(&at) > b.2 * b.2) {
                 break;
             }
             if let Some(found) = one(near.data)
