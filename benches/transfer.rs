@@ -26,7 +26,9 @@ fn transfer(criterion: &mut Criterion) {
     });
     group.throughput(Throughput::Elements(points.len() as u64));
     group.bench_function("f64", |bencher| {
-        bencher.iter(|| points.iter().map(|&(f, w)| map.forward_f64(f, w).expect("a section").error).sum::<f64>());
+        bencher.iter(|| {
+            points.iter().map(|&(f, w)| map.forward_f64(f, w).expect("a section").error).sum::<f64>()
+        });
     });
     group.bench_function("exact, homogeneous", |bencher| {
         bencher.iter(|| exact.iter().filter(|p| map.forward(p).is_ok()).count());

@@ -20,7 +20,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let file = hdf5::read(Path::new(&path))?;
     let source = file.mesh.ok_or("the file holds no mesh")?;
     let target = match args.next().as_deref() {
-        None | Some("middle") => TriMesh { vertices: file.shell.middle.clone(), faces: file.shell.faces.clone() },
+        None | Some("middle") => {
+            TriMesh { vertices: file.shell.middle.clone(), faces: file.shell.faces.clone() }
+        }
         Some(other) => mesh::read(Path::new(other))?.mesh,
     };
     let count: usize = args.next().map_or(Ok(100_000), |n| n.parse())?;
@@ -70,7 +72,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let back = transfer.backward(&transfer.forward(p)?)?;
         same += usize::from(back.is_same(&transfer.canonical(p)?));
     }
-    println!("{same} of {} round trips are equalities ({:.2} s)", exact.len().min(10_000), start.elapsed().as_secs_f64());
+    println!(
+        "{same} of {} round trips are equalities ({:.2} s)",
+        exact.len().min(10_000),
+        start.elapsed().as_secs_f64()
+    );
 
     let some = &points[..points.len().min(20_000)];
     println!("{:?}", measured(&transfer, some)?);

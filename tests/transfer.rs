@@ -28,7 +28,8 @@ fn attributes_are_carried_with_a_proof() {
     let [h5, face, vertex] = prepared(t.path());
     let out = path(t.path(), "out.json");
     let both = ["--attributes", &face, "--attributes", &vertex, "-o", &out];
-    let done = homeo(&[&["transfer", &h5, "stored", "middle", "--json", "--compare-phong"][..], &both].concat());
+    let done =
+        homeo(&[&["transfer", &h5, "stored", "middle", "--json", "--compare-phong"][..], &both].concat());
     assert_eq!(code(&done), 0, "{}", stderr(&done));
     let report: Value = serde_json::from_slice(&done.stdout).unwrap();
     validate(&report, &schema("transfer"), "transfer").unwrap();
@@ -105,7 +106,9 @@ fn what_is_not_proved_is_refused_unless_asked_for() {
     let arguments = ["transfer", &h5, "stored", &top, "--attributes", &vertex, "-o", &out];
     let done = homeo(&arguments);
     assert_eq!((code(&done), stderr(&done).lines().count()), (2, 1));
-    assert!(stderr(&done).contains("`bijection` is refuted") || stderr(&done).contains("`section` is refuted"));
+    assert!(
+        stderr(&done).contains("`bijection` is refuted") || stderr(&done).contains("`section` is refuted")
+    );
     assert!(stderr(&done).contains("--unproved") && !Path::new(&out).exists());
     let done = homeo(&[&arguments[..], &["--unproved"]].concat());
     assert_eq!(code(&done), 0, "{}", stderr(&done));
@@ -138,7 +141,8 @@ fn real_shells_carry_to_their_sections() {
     let t = tempfile::tempdir().unwrap();
     let out = path(t.path(), "o.json");
     let [h5, section] = ["bumpy.off.h5", "bumpy.off.h5.section.ply"].map(|n| path(&directory, n));
-    let done = homeo(&["transfer", &h5, "stored", &section, "-o", &out, "--measure", "9000", "--compare-phong"]);
+    let done =
+        homeo(&["transfer", &h5, "stored", &section, "-o", &out, "--measure", "9000", "--compare-phong"]);
     assert_eq!(code(&done), 0, "{}", stderr(&done));
     assert!(stdout(&done).contains("(9000 of them equal to the start as rationals)"), "{}", stdout(&done));
     eprintln!("{}", stdout(&done));

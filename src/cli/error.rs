@@ -71,7 +71,9 @@ pub enum CliError {
         reason: String,
     },
     /// A map that is not known to be a bijection.
-    #[error("{mesh}: not certified as a section of this shell, so nothing was carried: {reason} (--unproved carries on all the same)")]
+    #[error(
+        "{mesh}: not certified as a section of this shell, so nothing was carried: {reason} (--unproved carries on all the same)"
+    )]
     Unproved {
         /// The mesh.
         mesh: String,

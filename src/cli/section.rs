@@ -53,8 +53,10 @@ pub(super) fn prove(
         }
         None => certified(shell, mesh, name, order)?,
     };
-    let copy = hdf5::ShellFile { shell: shell.clone(), mesh: Some(mesh.clone()), ..hdf5::ShellFile::default() };
-    let bytes = hdf5::to_bytes(&copy).map_err(|source| CliError::Encode { file: "memory".to_owned(), source })?;
+    let copy =
+        hdf5::ShellFile { shell: shell.clone(), mesh: Some(mesh.clone()), ..hdf5::ShellFile::default() };
+    let bytes =
+        hdf5::to_bytes(&copy).map_err(|source| CliError::Encode { file: "memory".to_owned(), source })?;
     let outcome = homeo_certs::check(&text, &[bytes]);
     let certificate = certificate.map(|p| one_line(&p.display().to_string()));
     if outcome.exit != 0 {
@@ -79,7 +81,10 @@ fn certified(shell: &Shell, mesh: &TriMesh, name: &str, order: &VertexOrder) -> 
         None => Ok(outcome.certificate.into_bytes()),
         Some(claim) => {
             let reason = claim.refutations.first().map_or_else(String::new, |r| format!(": {}", r.text));
-            Err(CliError::Unproved { mesh: name.to_owned(), reason: format!("`{}` is refuted{reason}", claim.claim) })
+            Err(CliError::Unproved {
+                mesh: name.to_owned(),
+                reason: format!("`{}` is refuted{reason}", claim.claim),
+            })
         }
     }
 }

@@ -16,7 +16,9 @@ use crate::mesh::{self, TriMesh};
 use crate::projection::Projection;
 use crate::shell::Shell;
 use crate::transfer::attribute::{self, Attribute, AttributeError, Domain, Sample, Samples, Weights};
-use crate::transfer::{RoundTrip, Transfer, Worst, exact_round_trips, measured, random_points, round_trip, round_trip_phong};
+use crate::transfer::{
+    RoundTrip, Transfer, Worst, exact_round_trips, measured, random_points, round_trip, round_trip_phong,
+};
 
 /// Arguments of `homeo transfer`.
 #[derive(Debug, clap::Args)]
@@ -82,7 +84,9 @@ pub(super) fn run(args: Args) -> Result<ExitCode, CliError> {
     let json = Json::from_arguments(args.json.clone(), &mut Some(PathBuf::new()));
     let format = Output::of(&args.output)?;
     if args.attributes.is_empty() && format != Output::Json {
-        return Err(CliError::Usage("no attributes: give --attributes FILE, or -o OUT.json for the points alone".into()));
+        return Err(CliError::Usage(
+            "no attributes: give --attributes FILE, or -o OUT.json for the points alone".into(),
+        ));
     }
     if !matches!(args.certificate.len(), 0 | 2) {
         return Err(CliError::Usage("--certificate: give one for A, then one for B, or none".to_owned()));
@@ -108,7 +112,8 @@ pub(super) fn run(args: Args) -> Result<ExitCode, CliError> {
     let start = Instant::now();
     let transfer = Transfer::new(&projection, a, b).map_err(|e| fail(e.to_string()))?;
     let samples = Samples::new(&transfer, b, args.exact)?;
-    let carried = attributes.iter().map(|x| attribute::carry(x, a, &samples)).collect::<Result<Vec<_>, _>>()?;
+    let carried =
+        attributes.iter().map(|x| attribute::carry(x, a, &samples)).collect::<Result<Vec<_>, _>>()?;
     let seconds = start.elapsed().as_secs_f64();
     let points = random_points(a, args.measure);
     let worst = measured(&transfer, &points).map_err(|e| fail(e.to_string()))?;
@@ -230,7 +235,13 @@ fn trip(t: &RoundTrip) -> Value {
     json!({"points": t.points, "lost": t.lost, "astray": t.astray, "largest": t.largest, "mean": t.mean})
 }
 
-fn words(report: &Report, proofs: &[Proof], worst: &Worst, ours: &RoundTrip, phong: Option<&RoundTrip>) -> String {
+fn words(
+    report: &Report,
+    proofs: &[Proof],
+    worst: &Worst,
+    ours: &RoundTrip,
+    phong: Option<&RoundTrip>,
+) -> String {
     let mut out = String::new();
     for proof in proofs {
         let _ = writeln!(out, "{proof}");
@@ -238,7 +249,11 @@ fn words(report: &Report, proofs: &[Proof], worst: &Worst, ours: &RoundTrip, pho
     if proofs.is_empty() {
         let _ = writeln!(out, "UNPROVED   nothing shows that this map is a bijection");
     }
-    let how = if report.exact { "exact".to_owned() } else { format!("f64, proved bound {:.1e}", report.error_bound) };
+    let how = if report.exact {
+        "exact".to_owned()
+    } else {
+        format!("f64, proved bound {:.1e}", report.error_bound)
+    };
     let _ = writeln!(
         out,
         "{} attributes to {} vertices and {} triangles in {:.2} s ({how})",

@@ -54,7 +54,10 @@ pub fn columns(path: &Path) -> Result<Vec<Column>, MeshError> {
         match Format::from_content(&bytes).or_else(|| Format::from_extension(path)) {
             Some(Format::PlyAscii | Format::PlyBinaryLe | Format::PlyBinaryBe) => ply::columns(&bytes),
             Some(Format::Obj) => obj_texture::columns(strip_bom(&bytes)),
-            _ => Err(Fault::Unsupported("a format without attributes (PLY and OBJ have them)".to_owned()).into()),
+            _ => {
+                Err(Fault::Unsupported("a format without attributes (PLY and OBJ have them)".to_owned())
+                    .into())
+            }
         }
     };
     read().map_err(|located| located.reading(&name))

@@ -45,7 +45,8 @@ fn statement(
     let mut words = tokens(line);
     match words.next() {
         Some(b"vt") => {
-            let first = words.next().ok_or_else(|| Fault::expected("texture coordinates", quote_or_end(None)))?;
+            let first =
+                words.next().ok_or_else(|| Fault::expected("texture coordinates", quote_or_end(None)))?;
             let u = coordinate(first, "texture coordinates")?;
             // A texture of one dimension has no v.
             let v = words.next().map_or(Ok(0.0), |word| coordinate(word, "texture coordinates"))?;
@@ -79,6 +80,9 @@ fn resolve(corner: &Reference, texture: &[[f64; 2]]) -> Result<[f64; 2], Fault> 
         _ => corner.known.checked_sub(size),
     };
     index.and_then(|i| texture.get(i)).copied().ok_or_else(|| {
-        Fault::expected(format!("the number of one of {} texture coordinates", texture.len()), corner.written.to_string())
+        Fault::expected(
+            format!("the number of one of {} texture coordinates", texture.len()),
+            corner.written.to_string(),
+        )
     })
 }

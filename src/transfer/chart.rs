@@ -127,7 +127,8 @@ impl<'a> Chart<'a> {
             match &found {
                 None => found = Some(Hit { piece, signs }),
                 Some(first) => {
-                    let (mine, theirs) = (self.support(piece.face, &signs), self.support(first.piece.face, &first.signs));
+                    let (mine, theirs) =
+                        (self.support(piece.face, &signs), self.support(first.piece.face, &first.signs));
                     if mine != theirs || !same(first.piece, piece) {
                         return Err(SectionError::SeveralPreimages { prism, count: 2 });
                     }

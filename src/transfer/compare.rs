@@ -45,8 +45,12 @@ pub fn random_points(mesh: &TriMesh, count: usize) -> Vec<(u32, [f64; 3])> {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) as f64 / (1_u64 << 31) as f64
     };
-    let corners = (0..faces).flat_map(|f| [0, 1, 2].map(|k| (f, [0, 1, 2].map(|i| f64::from(u8::from(i == k))))));
-    let inside = (0..faces).cycle().map(|f| (f, [unit(), unit(), unit()])).filter(|(_, w)| w.iter().sum::<f64>() > 0.0);
+    let corners =
+        (0..faces).flat_map(|f| [0, 1, 2].map(|k| (f, [0, 1, 2].map(|i| f64::from(u8::from(i == k))))));
+    let inside = (0..faces)
+        .cycle()
+        .map(|f| (f, [unit(), unit(), unit()]))
+        .filter(|(_, w)| w.iter().sum::<f64>() > 0.0);
     corners.chain(inside).take(if faces == 0 { 0 } else { count }).collect()
 }
 

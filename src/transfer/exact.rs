@@ -31,7 +31,8 @@ impl Matrices {
     pub(super) fn new(tet: [&[f64; 3]; 4], triangle: [&[f64; 3]; 3], on: [usize; 4]) -> Self {
         let [o, e1, e2, e3, a, b, c] =
             [tet[0], tet[1], tet[2], tet[3], triangle[0], triangle[1], triangle[2]];
-        let (edges, crosses) = narrow([o, e1, e2, e3, a, b, c]).unwrap_or_else(|| wide([o, e1, e2, e3, a, b, c]));
+        let (edges, crosses) =
+            narrow([o, e1, e2, e3, a, b, c]).unwrap_or_else(|| wide([o, e1, e2, e3, a, b, c]));
         let [first, _, _, a, b, c] = &edges;
         let volume = dot(first, &crosses[0]);
         let [one, two, three] = [0, 1, 2].map(|k| [a, b, c].map(|q| dot(q, &crosses[k])));
@@ -60,9 +61,7 @@ impl Matrices {
 
 /// Tet coordinates, or rows of them, added up by prism corner.
 fn sums(lambda: &[Big3; 4], on: [usize; 4]) -> [Big3; 3] {
-    [0, 1, 2].map(|j| {
-        [0, 1, 2].map(|i| (0..4).filter(|&k| on[k] == j).map(|k| &lambda[k][i]).sum::<IBig>())
-    })
+    [0, 1, 2].map(|j| [0, 1, 2].map(|i| (0..4).filter(|&k| on[k] == j).map(|k| &lambda[k][i]).sum::<IBig>()))
 }
 
 /// The weights of a middle point from the coordinates in the tet.
@@ -110,14 +109,9 @@ fn wide(points: [&[f64; 3]; 7]) -> Vectors {
     let edge = |k: usize| [0, 1, 2].map(|i| &points[k + 1][i] - &points[0][i]);
     let edges = [0, 1, 2, 3, 4, 5].map(edge);
     let cross = |u: &Big3, v: &Big3| {
-        [
-            &u[1] * &v[2] - &u[2] * &v[1],
-            &u[2] * &v[0] - &u[0] * &v[2],
-            &u[0] * &v[1] - &u[1] * &v[0],
-        ]
+        [&u[1] * &v[2] - &u[2] * &v[1], &u[2] * &v[0] - &u[0] * &v[2], &u[0] * &v[1] - &u[1] * &v[0]]
     };
-    let crosses =
-        [cross(&edges[1], &edges[2]), cross(&edges[2], &edges[0]), cross(&edges[0], &edges[1])];
+    let crosses = [cross(&edges[1], &edges[2]), cross(&edges[2], &edges[0]), cross(&edges[0], &edges[1])];
     (edges, crosses)
 }
 

@@ -132,7 +132,12 @@ fn hit_exactly<'c>(to: &'c Chart<'_>, prism: u32, middle: &Big3) -> Result<Hit<'
     to.hit(prism, &Near::of_integers(middle), &|| middle.clone(), &same)
 }
 
-fn carry_f64(from: &Chart<'_>, to: &Chart<'_>, face: u32, weights: [f64; 3]) -> Result<FloatMeshPoint, SectionError> {
+fn carry_f64(
+    from: &Chart<'_>,
+    to: &Chart<'_>,
+    face: u32,
+    weights: [f64; 3],
+) -> Result<FloatMeshPoint, SectionError> {
     // Large weights would overflow in their sum: none is above one in what they mean.
     if !weights.iter().all(|w| (0.0..=1e300).contains(w)) || weights.iter().all(|&w| w == 0.0) {
         return Err(SectionError::MeshPoint { face });
@@ -144,7 +149,9 @@ fn carry_f64(from: &Chart<'_>, to: &Chart<'_>, face: u32, weights: [f64; 3]) -> 
     let exactly = || middle(&from.place, piece, &in_ratio(weights));
     // Which of two pieces answers does not matter here: the claim `bijection` makes them one point.
     let hit = to.hit(tet.prism, &down, &exactly, &|_, _| true)?;
-    let Some(rows) = hit.piece.inverse.as_ref() else { return Err(SectionError::NoPreimage { prism: tet.prism }) };
+    let Some(rows) = hit.piece.inverse.as_ref() else {
+        return Err(SectionError::NoPreimage { prism: tet.prism });
+    };
     let up = down.map(rows);
     let error = up.error() + 1e-16;
     if !(error <= MAX_ERROR) {

@@ -57,6 +57,8 @@ mod quadtree;
 #[cfg(test)]
 mod tests;
 
-pub use compare::{ASTRAY, RoundTrip, Worst, exact_round_trips, measured, random_points, round_trip, round_trip_phong};
+pub use compare::{
+    ASTRAY, RoundTrip, Worst, exact_round_trips, measured, random_points, round_trip, round_trip_phong,
+};
 pub use map::{FloatMeshPoint, Transfer};
 pub use point::ExactPoint;

@@ -52,7 +52,8 @@ impl Near {
     /// itself. Underflows are at most `9 * 2^-1022 * 1e10 < 1e-290`.
     pub(super) fn form(&self, row: &[f64; 3]) -> (f64, f64) {
         let [x, y, z] = [row[0] * self.values[0], row[1] * self.values[1], row[2] * self.values[2]];
-        let spread = row[0].abs() * self.errors[0] + row[1].abs() * self.errors[1] + row[2].abs() * self.errors[2];
+        let spread =
+            row[0].abs() * self.errors[0] + row[1].abs() * self.errors[1] + row[2].abs() * self.errors[2];
         (x + y + z, 2e-15 * (x.abs() + y.abs() + z.abs()) + 1.001 * spread + 1e-290)
     }
 

@@ -92,16 +92,19 @@ impl<'a> Place<'a> {
     fn piece(&self, face: u32, tet: u32) -> Piece {
         let exact = self.matrices(face, tet);
         let lambda = exact.lambda.each_ref().map(|row| row.each_ref().map(|n| quotient(n, &exact.volume)));
-        let inverse = || {
-            exact.inverse.each_ref().map(|row| row.each_ref().map(|n| quotient(n, &exact.area)))
-        };
+        let inverse = || exact.inverse.each_ref().map(|row| row.each_ref().map(|n| quotient(n, &exact.area)));
         let inverse = super::exact::sign(&exact.area).is_positive().then(inverse);
         Piece { face, tet, lambda, inverse, exact: OnceLock::new() }
     }
 
     /// The signs of the tet coordinates of a point of the triangle; none if one is negative.
     /// `weights` are asked for when the rounded ones do not decide.
-    pub(super) fn signs_in_tet(&self, piece: &Piece, near: &Near, weights: &dyn Fn() -> Big3) -> Option<[Sign; 4]> {
+    pub(super) fn signs_in_tet(
+        &self,
+        piece: &Piece,
+        near: &Near,
+        weights: &dyn Fn() -> Big3,
+    ) -> Option<[Sign; 4]> {
         self.signs(piece, near, weights, |_| true)
     }
 
@@ -122,7 +125,8 @@ impl<'a> Place<'a> {
         let mut signs = [Sign::Positive; 4];
         for (k, out) in signs.iter_mut().enumerate() {
             if wanted(k) {
-                let exactly = || super::exact::sign(&super::exact::dot(&self.exact(piece).lambda[k], &weights()));
+                let exactly =
+                    || super::exact::sign(&super::exact::dot(&self.exact(piece).lambda[k], &weights()));
                 *out = near.sign(&piece.lambda[k]).unwrap_or_else(exactly);
                 if out.is_negative() {
                     return None;
@@ -142,7 +146,8 @@ impl<'a> Place<'a> {
         let rows = piece.inverse.as_ref()?;
         let mut signs = [Sign::Positive; 3];
         for (i, out) in signs.iter_mut().enumerate() {
-            let exactly = || super::exact::sign(&super::exact::dot(&self.exact(piece).inverse[i], &exact_middle()));
+            let exactly =
+                || super::exact::sign(&super::exact::dot(&self.exact(piece).inverse[i], &exact_middle()));
             *out = middle.sign(&rows[i]).unwrap_or_else(exactly);
             if out.is_negative() {
                 return None;

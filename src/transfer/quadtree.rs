@@ -12,7 +12,10 @@ pub(super) const SLACK: f64 = 1e-12;
 
 #[derive(Debug)]
 enum Node {
-    Leaf { from: u32, to: u32 },
+    Leaf {
+        from: u32,
+        to: u32,
+    },
     /// The first of four children.
     Split(u32),
 }

@@ -1,8 +1,8 @@
 //! The properties that the mesh reader steps over.
 
+use super::Format;
 use super::body::{Ascii, Binary, Source};
 use super::header::{self, Element, Header, Kind, Type};
-use super::Format;
 use crate::mesh::columns::{Column, ColumnKind, Domain};
 use crate::mesh::error::{Fault, Located};
 use crate::mesh::text::with_room;
@@ -52,7 +52,12 @@ fn kind(ty: Type) -> ColumnKind {
     }
 }
 
-fn rows(element: &Element, domain: Domain, source: &mut impl Source, out: &mut Vec<Column>) -> Result<(), Located> {
+fn rows(
+    element: &Element,
+    domain: Domain,
+    source: &mut impl Source,
+    out: &mut Vec<Column>,
+) -> Result<(), Located> {
     if element.properties.is_empty() {
         return Ok(());
     }

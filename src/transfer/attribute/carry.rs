@@ -54,18 +54,31 @@ impl Samples {
             let (face, k) = place.ok_or(AttributeError::LooseVertex { vertex })?;
             let weights = [0, 1, 2].map(|i| f64::from(u8::from(i == k)));
             let sample = sample(transfer, face, weights, exact);
-            vertices.push(sample.map_err(|source| AttributeError::Map { element: "vertex", index: vertex, source })?);
+            vertices.push(sample.map_err(|source| AttributeError::Map {
+                element: "vertex",
+                index: vertex,
+                source,
+            })?);
         }
         let mut faces = Vec::with_capacity(target.faces.len());
         for (index, face) in (0..target.faces.len()).zip(0_u32..) {
             let sample = sample(transfer, face, [1.0; 3], exact);
-            faces.push(sample.map_err(|source| AttributeError::Map { element: "triangle", index, source })?);
+            faces.push(sample.map_err(|source| AttributeError::Map {
+                element: "triangle",
+                index,
+                source,
+            })?);
         }
         Ok(Self { vertices, faces })
     }
 }
 
-fn sample(transfer: &Transfer<'_>, face: u32, weights: [f64; 3], exact: bool) -> Result<Sample, SectionError> {
+fn sample(
+    transfer: &Transfer<'_>,
+    face: u32,
+    weights: [f64; 3],
+    exact: bool,
+) -> Result<Sample, SectionError> {
     if exact {
         let point = transfer.backward(&ExactPoint::from_f64(face, weights)?)?;
         return Ok(Sample { face: point.face, weights: Weights::Exact(point.rationals()), error: 0.0 });
@@ -79,7 +92,11 @@ fn sample(transfer: &Transfer<'_>, face: u32, weights: [f64; 3], exact: bool) ->
 ///
 /// # Errors
 /// [`AttributeError`]: values for another mesh, or labels on corners.
-pub fn carry(attribute: &Attribute, source: &TriMesh, samples: &Samples) -> Result<Attribute, AttributeError> {
+pub fn carry(
+    attribute: &Attribute,
+    source: &TriMesh,
+    samples: &Samples,
+) -> Result<Attribute, AttributeError> {
     let expected = match attribute.domain {
         Domain::Vertex => source.vertices.len(),
         Domain::Face => source.faces.len(),
@@ -94,7 +111,9 @@ pub fn carry(attribute: &Attribute, source: &TriMesh, samples: &Samples) -> Resu
         _ => source.faces[s.face as usize].map(|v| v as usize),
     };
     let (domain, values) = match (attribute.domain, &attribute.values) {
-        (Domain::Face, values) => (Domain::Face, values.select(samples.faces.iter().map(|s| s.face as usize))),
+        (Domain::Face, values) => {
+            (Domain::Face, values.select(samples.faces.iter().map(|s| s.face as usize)))
+        }
         (_, Values::Numbers { width, data, bytes }) => {
             let row = |s: &Sample| -> Vec<f64> {
                 let at = corners(s);
@@ -115,7 +134,9 @@ pub fn carry(attribute: &Attribute, source: &TriMesh, samples: &Samples) -> Resu
 fn interpolate(weights: &Weights, values: [f64; 3]) -> f64 {
     match weights {
         // Equal values stay what they are, whatever the weights' rounding.
-        _ if values[0].to_bits() == values[1].to_bits() && values[1].to_bits() == values[2].to_bits() => values[0],
+        _ if values[0].to_bits() == values[1].to_bits() && values[1].to_bits() == values[2].to_bits() => {
+            values[0]
+        }
         Weights::Float(w) => w.iter().zip(values).map(|(w, x)| w * x).sum(),
         Weights::Exact(w) => {
             let term = |(w, x): (&Rat, f64)| w * Rat::try_from(x).unwrap_or_default();

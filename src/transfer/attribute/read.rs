@@ -39,7 +39,8 @@ pub fn from_columns(columns: Vec<Column>) -> Vec<Attribute> {
         let Column { name, domain, kind, values } = column;
         if domain == Domain::Corner
             && name == "v"
-            && let Some(Attribute { name: first, values: Values::Numbers { width, data, .. }, .. }) = out.last_mut()
+            && let Some(Attribute { name: first, values: Values::Numbers { width, data, .. }, .. }) =
+                out.last_mut()
             && first == "u"
             && data.len() == values.len()
         {
@@ -165,7 +166,9 @@ pub fn from_json(bytes: &[u8], file: &str, mesh: &TriMesh) -> Result<Vec<Attribu
         };
         for (name, list) in members {
             let values = json_values(&list).ok_or_else(|| {
-                fail(format!("{key} {name}: not a list of finite numbers, of lists of as many numbers, or of texts"))
+                fail(format!(
+                    "{key} {name}: not a list of finite numbers, of lists of as many numbers, or of texts"
+                ))
             })?;
             out.push(Attribute { name, domain, values });
         }

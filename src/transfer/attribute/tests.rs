@@ -1,7 +1,9 @@
 //! Tests of attributes: reading, carrying, writing.
 #![allow(clippy::float_cmp)]
 
-use super::{Attribute, AttributeError, Domain, Sample, Samples, Values, Weights, carry, from_csv, from_json};
+use super::{
+    Attribute, AttributeError, Domain, Sample, Samples, Values, Weights, carry, from_csv, from_json,
+};
 use super::{read, to_csv, to_json, to_ply};
 use crate::mesh::TriMesh;
 use crate::number::Rat;
@@ -43,7 +45,9 @@ fn a_linear_function_on_the_middle_surface_stays_exact() {
     }
     // In doubles the same to within the bound: three weights, values below 17.
     let near = Samples::new(&transfer, &mesh, false).unwrap();
-    let Values::Numbers { data: rounded, .. } = carry(&attribute, &middle, &near).unwrap().values else { panic!() };
+    let Values::Numbers { data: rounded, .. } = carry(&attribute, &middle, &near).unwrap().values else {
+        panic!()
+    };
     for (v, (x, y)) in found.iter().zip(&rounded).enumerate() {
         assert!((x - y).abs() <= 3.0 * 17.0 * near.vertices[v].error + 1e-14);
     }
@@ -57,7 +61,8 @@ fn face_labels_go_where_the_centroids_are() {
     let transfer = Transfer::new(&projection, &a, &b).unwrap();
     let names: Vec<String> = (0..7).map(|i| format!("part {i}")).collect();
     let of: Vec<u32> = (0..a.faces.len() as u32).map(|f| f % 7).collect();
-    let labels = Attribute { name: "bc".to_owned(), domain: Domain::Face, values: Values::Labels { of, names } };
+    let labels =
+        Attribute { name: "bc".to_owned(), domain: Domain::Face, values: Values::Labels { of, names } };
     let samples = Samples::new(&transfer, &b, false).unwrap();
     let Values::Labels { of, .. } = carry(&labels, &a, &samples).unwrap().values else { panic!() };
     for (face, label) in (0..b.faces.len() as u32).zip(of) {
@@ -71,15 +76,23 @@ fn rules_for_labels_and_seams_by_hand() {
     let mesh = square();
     let sample = |face, weights| Sample { face, weights: Weights::Float(weights), error: 0.0 };
     let samples = Samples {
-        vertices: vec![sample(0, [0.25, 0.5, 0.25]), sample(0, [0.5, 0.0, 0.5]), sample(1, [0.1, 0.45, 0.45])],
+        vertices: vec![
+            sample(0, [0.25, 0.5, 0.25]),
+            sample(0, [0.5, 0.0, 0.5]),
+            sample(1, [0.1, 0.45, 0.45]),
+        ],
         faces: vec![sample(1, [1.0, 0.0, 0.0])],
     };
-    let labels = Values::Labels { of: vec![0, 1, 2, 3], names: ["a", "b", "c", "d"].map(str::to_owned).to_vec() };
+    let labels =
+        Values::Labels { of: vec![0, 1, 2, 3], names: ["a", "b", "c", "d"].map(str::to_owned).to_vec() };
     let at = |domain, values| carry(&Attribute { name: "x".to_owned(), domain, values }, &mesh, &samples);
     let Values::Labels { of, .. } = at(Domain::Vertex, labels.clone()).unwrap().values else { panic!() };
     // The heaviest corner; of equal ones the smaller vertex: 0 before 2, and 2 before 3.
     assert_eq!(of, [1, 0, 2]);
-    assert_eq!(at(Domain::Vertex, Values::Set(vec![true, false, true, false])).unwrap().values, Values::Set(vec![false, true, true]));
+    assert_eq!(
+        at(Domain::Vertex, Values::Set(vec![true, false, true, false])).unwrap().values,
+        Values::Set(vec![false, true, true])
+    );
     assert_eq!(at(Domain::Face, numbers(2, &[1.0, 2.0, 3.0, 4.0])).unwrap().values, numbers(2, &[3.0, 4.0]));
     // Corners 0 to 2 belong to triangle 0, 3 to 5 to triangle 1.
     let corners = at(Domain::Corner, numbers(1, &[0.0, 4.0, 8.0, 100.0, 200.0, 200.0])).unwrap();
@@ -141,7 +154,10 @@ fn bad_tables_are_refused_with_their_place() {
         r#"{"sets": {"face": {"a": [2]}}}"#,
         r#"{"sets": {"face": {"a": [-1]}}}"#,
     ] {
-        assert!(matches!(from_json(text.as_bytes(), "x", &mesh), Err(AttributeError::File { .. })), "{text:?}");
+        assert!(
+            matches!(from_json(text.as_bytes(), "x", &mesh), Err(AttributeError::File { .. })),
+            "{text:?}"
+        );
     }
 }
 
@@ -169,7 +185,10 @@ fn properties_go_through_ply_files() {
     assert_eq!(back[0].values, Values::Numbers { width: 1, data: vec![0.0, 128.0, 255.0, 0.0], bytes: true });
     assert_eq!(back[1].values, numbers(1, &[0.1, 0.2, 0.3, 1e-300]));
     assert_eq!(back[3].values, numbers(1, &[2.0, 4.0, 6.0, 8.0]));
-    assert_eq!(back[4].values, Values::Labels { of: vec![0, 1], names: vec!["0".to_owned(), "1".to_owned()] });
+    assert_eq!(
+        back[4].values,
+        Values::Labels { of: vec![0, 1], names: vec!["0".to_owned(), "1".to_owned()] }
+    );
     assert_eq!(back[5].values, Values::Labels { of: vec![0, 0], names: vec!["-7".to_owned()] });
     let text = String::from_utf8(std::fs::read(&path).unwrap()).unwrap();
     assert!(text.contains("comment label bc 0 in_let\ncomment label bc 1 wall\n"));
@@ -197,7 +216,10 @@ fn polygons_and_texture_coordinates() {
     let path = write("quad.obj", obj);
     let uv = read(&path, &square()).unwrap();
     let expected = [0.0, 0.0, 1.0, 0.5, 0.25, 0.0, 0.0, 0.0, 0.25, 0.0, 0.25, 0.0];
-    assert_eq!((uv[0].name.as_str(), uv[0].domain, &uv[0].values), ("uv", Domain::Corner, &numbers(2, &expected)));
+    assert_eq!(
+        (uv[0].name.as_str(), uv[0].domain, &uv[0].values),
+        ("uv", Domain::Corner, &numbers(2, &expected))
+    );
     for bad in ["4/4", "4", "4//1", "4/-4", "4/x", "4/9223372036854775807"] {
         assert!(read(&write("bad.obj", &obj.replace("4/-1", bad)), &square()).is_err(), "{bad}");
     }

@@ -74,10 +74,15 @@ fn properties(attribute: &Attribute, taken: &mut Vec<String>) -> Vec<Property> {
     match &attribute.values {
         Values::Numbers { width, data, bytes } => (0..*width)
             .map(|c| {
-                let name = if *width == 1 { attribute.name.clone() } else { format!("{}_{c}", attribute.name) };
+                let name =
+                    if *width == 1 { attribute.name.clone() } else { format!("{}_{c}", attribute.name) };
                 let column = data.iter().skip(c).step_by(*width);
                 let byte = |x: &f64| format!("{}", x.round_ties_even().clamp(0.0, 255.0));
-                let texts = if *bytes { column.map(byte).collect() } else { column.map(|x| format!("{x:?}")).collect() };
+                let texts = if *bytes {
+                    column.map(byte).collect()
+                } else {
+                    column.map(|x| format!("{x:?}")).collect()
+                };
                 new(&name, if *bytes { "uchar" } else { "double" }, texts)
             })
             .collect(),
@@ -86,7 +91,11 @@ fn properties(attribute: &Attribute, taken: &mut Vec<String>) -> Vec<Property> {
             let text = |l: &u32| if integers { label(names, *l).to_owned() } else { l.to_string() };
             let mut p = new(&attribute.name, "int", of.iter().map(text).collect());
             if !integers {
-                p.comments = names.iter().enumerate().map(|(i, n)| format!("label {} {i} {}", p.name, plain(n))).collect();
+                p.comments = names
+                    .iter()
+                    .enumerate()
+                    .map(|(i, n)| format!("label {} {i} {}", p.name, plain(n)))
+                    .collect();
             }
             vec![p]
         }

@@ -38,7 +38,9 @@ fn round_trips_are_equalities() {
         assert!(back.is_same(&transfer.canonical(&p).unwrap()));
         // In lowest terms also the numbers are equal, and a reduced point goes the same way.
         assert_eq!(back.reduced().numerators(), transfer.canonical(&p).unwrap().reduced().numerators());
-        assert!(transfer.backward(&there.clone().reduced()).unwrap().is_same(&transfer.canonical(&p).unwrap()));
+        assert!(
+            transfer.backward(&there.clone().reduced()).unwrap().is_same(&transfer.canonical(&p).unwrap())
+        );
     }
 }
 

@@ -36,7 +36,8 @@ fn real_shells_there_and_back() {
         };
         let projection = Projection::new(&file.shell, &VertexOrder::Id).unwrap();
         let transfer = Transfer::new(&projection, &a, &b).unwrap();
-        let (down, up) = (SectionMap::new(&projection, &a).unwrap(), SectionMap::new(&projection, &b).unwrap());
+        let (down, up) =
+            (SectionMap::new(&projection, &a).unwrap(), SectionMap::new(&projection, &b).unwrap());
         let corners = (0..a.faces.len() as u32).map(|f| ExactPoint::corner(f, f as usize));
         for (i, p) in points(&a, 400, 23).into_iter().map(exact).chain(corners).enumerate() {
             let q = transfer.forward(&p).unwrap_or_else(|e| panic!("{name}: {e}: {p:?}"));
