@@ -75,7 +75,7 @@ pub fn main() -> ExitCode {
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),
         Command::Project(args) => project::run(args),
-        Command::Transfer(args) => transfer::run(args),
+        Command::Transfer(args) => transfer::run(&args),
         Command::Inspect(args) => inspect::run(args),
         Command::MeshInfo(args) => mesh_info::run(args),
     };

@@ -13,8 +13,8 @@ use super::input::{self, Loaded, ThreeMeshes};
 use super::output::{self, Json, one_line};
 use super::section::{Proof, prove};
 use crate::mesh::{self, TriMesh};
-use crate::projection::Projection;
-use crate::shell::Shell;
+use crate::projection::{Projection, SectionError};
+use crate::shell::{Shell, VertexOrder};
 use crate::transfer::attribute::{self, Attribute, AttributeError, Domain, Sample, Samples, Weights};
 use crate::transfer::{
     RoundTrip, Transfer, Worst, exact_round_trips, measured, random_points, round_trip, round_trip_phong,
@@ -80,32 +80,23 @@ struct Report {
 }
 
 /// Runs the command.
-pub(super) fn run(args: Args) -> Result<ExitCode, CliError> {
+pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
     let json = Json::from_arguments(args.json.clone(), &mut Some(PathBuf::new()));
     let format = Output::of(&args.output)?;
     if args.attributes.is_empty() && format != Output::Json {
         return Err(CliError::Usage(
-            "no attributes: give --attributes FILE, or -o OUT.json for the points alone".into(),
+            "no attributes: give --attributes FILE, or -o OUT.json for the points alone".to_owned(),
         ));
     }
     if !matches!(args.certificate.len(), 0 | 2) {
         return Err(CliError::Usage("--certificate: give one for A, then one for B, or none".to_owned()));
     }
-    writable(&args, &json)?;
+    writable(args, &json)?;
     let loaded = Loaded::read(Some(&args.shell), &ThreeMeshes::default(), None)?;
     let meshes = [mesh_of(&args.a, &loaded)?, mesh_of(&args.b, &loaded)?];
-    let attributes = read_attributes(&args, &meshes[0])?;
+    let attributes = read_attributes(args, &meshes[0])?;
     let order = input::order(&args.order, loaded.shell().vertex_count())?;
-    let proofs = if args.unproved {
-        Vec::new()
-    } else {
-        let names = [&args.a, &args.b].map(|p| one_line(&p.display().to_string()));
-        let prove = |k: usize| {
-            let certificate = args.certificate.get(k).map(PathBuf::as_path);
-            prove(loaded.shell(), &meshes[k], &names[k], &order, certificate)
-        };
-        vec![prove(0)?, prove(1)?]
-    };
+    let proofs = proofs(args, loaded.shell(), &meshes, &order)?;
     let fail = |reason: String| CliError::Read { file: loaded.shell_name(), reason };
     let projection = Projection::new(loaded.shell(), &order).map_err(|e| fail(e.to_string()))?;
     let [a, b] = &meshes;
@@ -115,11 +106,7 @@ pub(super) fn run(args: Args) -> Result<ExitCode, CliError> {
     let carried =
         attributes.iter().map(|x| attribute::carry(x, a, &samples)).collect::<Result<Vec<_>, _>>()?;
     let seconds = start.elapsed().as_secs_f64();
-    let points = random_points(a, args.measure);
-    let worst = measured(&transfer, &points).map_err(|e| fail(e.to_string()))?;
-    let equal = exact_round_trips(&transfer, &points).map_err(|e| fail(e.to_string()))?;
-    let ours = round_trip(&transfer, &points);
-    let phong = args.compare_phong.then(|| round_trip_phong(a, b, &points));
+    let measures = Measures::new(&transfer, args).map_err(|e| fail(e.to_string()))?;
     output::replace(&args.output, &encode(format, b, &carried, &samples, !proofs.is_empty())?)?;
     let report = Report {
         proved: !proofs.is_empty(),
@@ -130,14 +117,58 @@ pub(super) fn run(args: Args) -> Result<ExitCode, CliError> {
         attributes: carried.iter().map(summary).collect(),
         seconds,
         error_bound: samples.vertices.iter().chain(&samples.faces).map(|s| s.error).fold(0.0, f64::max),
-        measured: json!({"points": worst.points, "largest": worst.measured, "bound": worst.bound}),
-        exact_round_trips: equal,
-        round_trip: trip(&ours),
-        phong: phong.as_ref().map(trip),
+        measured: measures.json(),
+        exact_round_trips: measures.equal,
+        round_trip: trip(&measures.ours),
+        phong: measures.phong.as_ref().map(trip),
         output: args.output.display().to_string(),
     };
-    json.emit(&report, &words(&report, &proofs, &worst, &ours, phong.as_ref()))?;
+    json.emit(&report, &words(&report, &proofs, &measures))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// One proof a mesh; none where none was asked for.
+fn proofs(
+    args: &Args,
+    shell: &Shell,
+    meshes: &[TriMesh; 2],
+    order: &VertexOrder,
+) -> Result<Vec<Proof>, CliError> {
+    if args.unproved {
+        return Ok(Vec::new());
+    }
+    let one = |k: usize, path: &Path| {
+        let certificate = args.certificate.get(k).map(PathBuf::as_path);
+        prove(shell, &meshes[k], &one_line(&path.display().to_string()), order, certificate)
+    };
+    Ok(vec![one(0, &args.a)?, one(1, &args.b)?])
+}
+
+/// Errors on points of A.
+struct Measures {
+    worst: Worst,
+    /// Exact round trips that are equalities.
+    equal: usize,
+    ours: RoundTrip,
+    phong: Option<RoundTrip>,
+}
+
+impl Measures {
+    fn new(transfer: &Transfer<'_>, args: &Args) -> Result<Self, SectionError> {
+        let points = random_points(transfer.source(), args.measure);
+        let phong = || round_trip_phong(transfer.source(), transfer.target(), &points);
+        Ok(Self {
+            worst: measured(transfer, &points)?,
+            equal: exact_round_trips(transfer, &points)?,
+            ours: round_trip(transfer, &points),
+            phong: args.compare_phong.then(phong),
+        })
+    }
+
+    fn json(&self) -> Value {
+        let Worst { points, measured, bound } = self.worst;
+        json!({"points": points, "largest": measured, "bound": bound})
+    }
 }
 
 fn writable(args: &Args, json: &Json) -> Result<(), CliError> {
@@ -235,13 +266,8 @@ fn trip(t: &RoundTrip) -> Value {
     json!({"points": t.points, "lost": t.lost, "astray": t.astray, "largest": t.largest, "mean": t.mean})
 }
 
-fn words(
-    report: &Report,
-    proofs: &[Proof],
-    worst: &Worst,
-    ours: &RoundTrip,
-    phong: Option<&RoundTrip>,
-) -> String {
+fn words(report: &Report, proofs: &[Proof], measures: &Measures) -> String {
+    let Measures { worst, equal, ours, phong } = measures;
     let mut out = String::new();
     for proof in proofs {
         let _ = writeln!(out, "{proof}");
@@ -271,7 +297,7 @@ fn words(
     let _ = writeln!(
         out,
         "  {:<26}{:>8}   ({} of them equal to the start as rationals)",
-        "homeo, exact", worst.points, report.exact_round_trips
+        "homeo, exact", worst.points, equal
     );
     let mut row = |name: &str, t: &RoundTrip| {
         let _ = writeln!(

@@ -154,14 +154,17 @@ fn carry_f64(
     };
     let up = down.map(rows);
     let error = up.error() + 1e-16;
-    if !(error <= MAX_ERROR) {
-        return rounded(carry(from, to, &ExactPoint::from_f64(face, weights)?)?);
+    // A bound that is no number fails this, too.
+    let good = error <= MAX_ERROR;
+    if !good {
+        return Ok(rounded(&carry(from, to, &ExactPoint::from_f64(face, weights)?)?));
     }
     let (face, order) = to.canonical(hit.piece.face, hit.signs.map(Sign::is_positive));
     let weight = |k: usize| if hit.signs[k].is_positive() { up.values[k].clamp(0.0, 1.0) } else { 0.0 };
     Ok(FloatMeshPoint { face, weights: order.map(|k| k.map_or(0.0, weight)), error })
 }
 
-fn rounded(point: ExactPoint) -> Result<FloatMeshPoint, SectionError> {
-    Ok(FloatMeshPoint { face: point.face, weights: point.rounded(), error: 2e-16 })
+fn rounded(point: &ExactPoint) -> FloatMeshPoint {
+    // To nearest, and no weight is above one: off by at most 2^-53.
+    FloatMeshPoint { face: point.face, weights: point.rounded(), error: 2e-16 }
 }

@@ -62,7 +62,7 @@ impl ExactPoint {
     /// The same point with the smallest numerators.
     #[must_use]
     pub fn reduced(self) -> Self {
-        let [a, b, c] = self.numerators.each_ref().map(|n| n.unsigned_abs());
+        let [a, b, c] = self.numerators.each_ref().map(UnsignedAbs::unsigned_abs);
         let common = gcd(gcd(a, b), c);
         if common == UBig::ONE {
             return self;

@@ -60,11 +60,11 @@ impl QuadTree {
         let mut tree = Self { nodes: vec![Node::Leaf { from: 0, to: 0 }], items: Vec::new() };
         let polygons: Vec<(u32, Rows)> = items.into_iter().map(|i| (i, rows(i))).collect();
         let all: Vec<usize> = (0..polygons.len()).collect();
-        tree.fill(0, Square { x: 0.0, y: 0.0, side: 1.0 }, all, &polygons, 0);
+        tree.fill(0, Square { x: 0.0, y: 0.0, side: 1.0 }, &all, &polygons, 0);
         tree
     }
 
-    fn fill(&mut self, node: usize, square: Square, mine: Vec<usize>, polygons: &[(u32, Rows)], depth: u32) {
+    fn fill(&mut self, node: usize, square: Square, mine: &[usize], polygons: &[(u32, Rows)], depth: u32) {
         let kept = |quarter: Square| -> Vec<usize> {
             if quarter.x + quarter.y > 1.0 + 1e-9 {
                 return Vec::new();
@@ -80,7 +80,7 @@ impl QuadTree {
                 self.nodes[node] = Node::Split(number(first));
                 self.nodes.extend((0..4).map(|_| Node::Leaf { from: 0, to: 0 }));
                 for (k, part) in (0_u32..).zip(parts) {
-                    self.fill(first + k as usize, square.quarter(k), part, polygons, depth + 1);
+                    self.fill(first + k as usize, square.quarter(k), &part, polygons, depth + 1);
                 }
                 return;
             }
