@@ -45,7 +45,7 @@ pub(super) struct Args {
     /// Carry on without a proof that the map is a bijection
     #[arg(long)]
     unproved: bool,
-    /// How many points of A are compared with the exact map (all corners of triangles first)
+    /// How many points of A are compared with the exact map (corners of triangles and points inside, by turns)
     #[arg(long, value_name = "N", default_value_t = 1000)]
     measure: usize,
     /// Round trips of those points by Phong projection, too

@@ -36,22 +36,24 @@ pub struct RoundTrip {
 /// distances.
 pub const ASTRAY: f64 = 1e-4;
 
-/// `count` points of a mesh: all corners of triangles come first, then points inside, the same in every run.
+/// `count` points of a mesh, the same in every run: corners of triangles and points inside by turns, triangle
+/// after triangle. Empty for a mesh without triangles.
 #[must_use]
 pub fn random_points(mesh: &TriMesh, count: usize) -> Vec<(u32, [f64; 3])> {
     let faces = u32::try_from(mesh.faces.len()).unwrap_or(u32::MAX);
     let mut state = 1_u64;
+    // Above zero, so that the weights have a sum.
     let mut unit = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as f64 / (1_u64 << 31) as f64
+        ((state >> 33) + 1) as f64 / (1_u64 << 31) as f64
     };
-    let corners =
-        (0..faces).flat_map(|f| [0, 1, 2].map(|k| (f, [0, 1, 2].map(|i| f64::from(u8::from(i == k))))));
-    let inside = (0..faces)
-        .cycle()
-        .map(|f| (f, [unit(), unit(), unit()]))
-        .filter(|(_, w)| w.iter().sum::<f64>() > 0.0);
-    corners.chain(inside).take(if faces == 0 { 0 } else { count }).collect()
+    let pair = |(f, k): (u32, usize)| {
+        let corner = [0, 1, 2].map(|i| f64::from(u8::from(i == k)));
+        [(f, corner), (f, [unit(), unit(), unit()])]
+    };
+    // Different corners in every round.
+    let rounds = [0, 1, 2].into_iter().cycle().flat_map(|k| (0..faces).map(move |f| (f, k)));
+    if faces == 0 { Vec::new() } else { rounds.flat_map(pair).take(count).collect() }
 }
 
 /// Compares rounded answers with exact ones.

@@ -55,11 +55,19 @@ impl<'a> Place<'a> {
         piece.exact.get_or_init(|| Box::new(self.matrices(piece.face, piece.tet)))
     }
 
-    /// Whether the triangle is on the outer side of one of the tet's planes, and not in it: it then has
-    /// at most an edge or a corner in the tet. Exact.
+    /// Whether a plane shows that the two have at most an edge or a corner in common: a plane of the tet
+    /// with the triangle on its outer side, and not in it, or the triangle's with the tet on one side, and
+    /// no face of it in it. Exact.
     fn is_apart(&self, face: u32, tet: u32) -> bool {
         let points = self.projection.points(&self.projection.tets()[tet as usize]);
         let triangle = self.triangle(face);
+        let [a, b, c] = triangle;
+        let sides = points.map(|p| orient3d(a, b, c, p));
+        let count = |sign: Sign| sides.iter().filter(|s| **s == sign).count();
+        let one_side = count(Sign::Positive) == 0 || count(Sign::Negative) == 0;
+        if one_side && count(Sign::Zero) < 3 {
+            return true;
+        }
         (0..4).any(|k| {
             let side = |p: &[f64; 3]| {
                 let mut moved = points;
