@@ -114,6 +114,11 @@ fn what_is_not_proved_is_refused_unless_asked_for() {
     assert_eq!(code(&done), 0, "{}", stderr(&done));
     assert!(stdout(&done).contains("UNPROVED"));
     assert_eq!(read(&out)["proved"], false);
+    let ply = path(t.path(), "o.ply");
+    let last = arguments.len() - 1;
+    let done = homeo(&[&arguments[..last], &[&ply, "--unproved"]].concat());
+    assert_eq!(code(&done), 0, "{}", stderr(&done));
+    assert!(std::fs::read_to_string(&ply).unwrap().contains("\ncomment unproved"));
 }
 
 #[test]

@@ -46,8 +46,8 @@ pub(super) struct Args {
     #[arg(long)]
     unproved: bool,
     /// How many points of A are compared with the exact map (corners of triangles and points inside, by turns)
-    #[arg(long, value_name = "N", default_value_t = 1000)]
-    measure: usize,
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(0..=10_000_000))]
+    measure: u32,
     /// Round trips of those points by Phong projection, too
     #[arg(long)]
     compare_phong: bool,
@@ -155,7 +155,7 @@ struct Measures {
 
 impl Measures {
     fn new(transfer: &Transfer<'_>, args: &Args) -> Result<Self, SectionError> {
-        let points = random_points(transfer.source(), args.measure);
+        let points = random_points(transfer.source(), args.measure as usize);
         let phong = || round_trip_phong(transfer.source(), transfer.target(), &points);
         Ok(Self {
             worst: measured(transfer, &points)?,
@@ -231,7 +231,10 @@ fn encode(
     proved: bool,
 ) -> Result<Vec<u8>, CliError> {
     match format {
-        Output::Ply => Ok(attribute::to_ply(target, attributes)),
+        Output::Ply => {
+            let comment = if proved { "" } else { "unproved: nothing shows that the map is a bijection" };
+            Ok(attribute::to_ply(target, attributes, comment))
+        }
         Output::Csv => Ok(attribute::to_csv(attributes)?),
         Output::Json => {
             let points = |list: &[Sample]| -> Value { list.iter().map(point).collect() };

@@ -88,7 +88,7 @@ fn sample(
 }
 
 /// The attribute on the target mesh; the table in [`super`] says how. With exact weights the interpolation is
-/// exact, too, and rounded once.
+/// exact, too, and rounded once. The samples must be points of this source.
 ///
 /// # Errors
 /// [`AttributeError`]: values for another mesh, or labels on corners.

@@ -176,7 +176,7 @@ fn properties_go_through_ply_files() {
         at("bc", Domain::Face, named),
         at("part", Domain::Face, Values::Labels { of: vec![0, 0], names: vec!["-7".to_owned()] }),
     ];
-    std::fs::write(&path, to_ply(&mesh, &attributes)).unwrap();
+    std::fs::write(&path, to_ply(&mesh, &attributes, "a\nb")).unwrap();
     // The geometry is not disturbed, and every value comes back.
     assert_eq!(crate::mesh::read(&path).unwrap().mesh, mesh);
     let back = read(&path, &mesh).unwrap();

@@ -7,10 +7,10 @@ use serde_json::{Map, Value, json};
 use super::{Attribute, AttributeError, Domain, Values};
 use crate::mesh::TriMesh;
 
-/// A mesh with the attributes as properties (PLY, text). Labels that are all integers are written as such,
+/// A mesh with the attributes as properties (PLY, text), and a comment unless it is empty. Labels that are all integers are written as such,
 /// others as numbers that the header's comments explain. White space in names becomes `_`.
 #[must_use]
-pub fn to_ply(mesh: &TriMesh, attributes: &[Attribute]) -> Vec<u8> {
+pub fn to_ply(mesh: &TriMesh, attributes: &[Attribute], comment: &str) -> Vec<u8> {
     let of = |domain: Domain, taken: &[&str]| -> Vec<Property> {
         let mut names: Vec<String> = taken.iter().map(|t| (*t).to_owned()).collect();
         attributes.iter().filter(|a| a.domain == domain).flat_map(|a| properties(a, &mut names)).collect()
@@ -18,6 +18,9 @@ pub fn to_ply(mesh: &TriMesh, attributes: &[Attribute]) -> Vec<u8> {
     let vertex = of(Domain::Vertex, &["x", "y", "z"]);
     let face = of(Domain::Face, &["vertex_indices"]);
     let mut out = "ply\nformat ascii 1.0\n".to_owned();
+    for line in comment.lines() {
+        let _ = writeln!(out, "comment {line}");
+    }
     for comment in vertex.iter().chain(&face).flat_map(|p| &p.comments) {
         let _ = writeln!(out, "comment {comment}");
     }
