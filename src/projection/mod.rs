@@ -67,7 +67,7 @@
 //! and its floating image take 2 microseconds inside a tet and up to 40 at a vertex of many tets
 //! (filtered predicates; [`FloatPoint`] states its error bound, at most [`MAX_ERROR`]); an exact image
 //! 40 to 150, its inverse 5 to 35, [`SectionMap::to_mesh`] 300 to 500 microseconds. From mesh to mesh
-//! [`Transfer`](crate::transfer::Transfer) takes 5 to 10 microseconds exactly.
+//! [`Transfer`](crate::transfer::Transfer) takes 2 to 7 microseconds exactly.
 //! [`Projection::trace`] computes the same middle points by following the field tet by tet: it is the
 //! oracle that the tests compare with, 7 to 30 times slower.
 

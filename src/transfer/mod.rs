@@ -37,6 +37,13 @@
 //! `near`, and in integers where these do not decide. So the piece is always the right one, also in the
 //! functions that end in `_f64`, whose weights alone are rounded.
 //!
+//! # Cost
+//!
+//! Measured on one core of a busy machine, real shells of 104 to 16,628 prisms: 150,000 to 500,000 points a second
+//! exactly, 170,000 to 310,000 in lowest terms, 0.7 to 4 million in `f64`. The integers have some 600 bits; their
+//! greatest common divisors take half of the time, and decimal text of them as much again (90,000 to 230,000 points a
+//! second). Cutting the meshes takes 0.01 to 1.5 s, once.
+//!
 //! # What it takes for granted
 //!
 //! That the map is a bijection is claim `bijection` for `A` and for `B` on this shell and vertex order
