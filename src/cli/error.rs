@@ -8,6 +8,7 @@ use crate::shell::hdf5;
 use crate::shell::three::ThreeError;
 use crate::shell::validate::ShellError;
 use crate::shell::vtu::VtuError;
+use crate::transfer::attribute::AttributeError;
 
 /// Why a command has no answer. Printed as one line on standard error; exit code 2.
 #[derive(Debug, thiserror::Error)]
@@ -89,6 +90,19 @@ pub enum CliError {
         /// The checker's first line.
         answer: String,
     },
+    /// A map that is not known to be a bijection.
+    #[error(
+        "{mesh}: not certified as a section of this shell, so nothing was carried: {reason} (--unproved carries on all the same)"
+    )]
+    Unproved {
+        /// The mesh.
+        mesh: String,
+        /// The reason.
+        reason: String,
+    },
+    /// Attributes that could not be read, carried or written.
+    #[error(transparent)]
+    Attribute(#[from] AttributeError),
     /// A shell could not be written for ParaView.
     #[error(transparent)]
     Vtu(#[from] VtuError),

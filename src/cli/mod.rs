@@ -23,7 +23,9 @@ mod mesh_info;
 mod output;
 mod progress;
 mod project;
+mod section;
 mod tet_info;
+mod transfer;
 
 use std::process::ExitCode;
 
@@ -51,6 +53,8 @@ enum Command {
     Check(check::Args),
     /// Project points along a shell, exactly
     Project(project::Args),
+    /// Carry attributes from one section of a shell to another, exactly or in f64
+    Transfer(transfer::Args),
     /// Facts about a shell file, and whether it is a valid input
     Inspect(inspect::Args),
     /// Convert meshes and shells between file formats
@@ -79,6 +83,7 @@ pub fn main() -> ExitCode {
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),
         Command::Project(args) => project::run(args),
+        Command::Transfer(args) => transfer::run(&args),
         Command::Inspect(args) => inspect::run(args),
         Command::Map(args) => map::run(&args),
         Command::MeshInfo(args) => mesh_info::run(args),
