@@ -70,7 +70,7 @@ pub(super) fn flat_tetrahedron(size: u32, random: &mut Random) -> TriMesh {
 }
 
 /// A box, its sides cut into squares.
-fn boxed(n: [u32; 3], random: &mut Random, mut at: impl FnMut([f64; 3]) -> [f64; 3]) -> TriMesh {
+fn boxed(n: [u32; 3], random: &mut Random, at: impl FnMut([f64; 3]) -> [f64; 3]) -> TriMesh {
     let mut mesh = TriMesh::default();
     let mut ids = std::collections::HashMap::new();
     for axis in 0..3usize {
@@ -93,7 +93,7 @@ fn boxed(n: [u32; 3], random: &mut Random, mut at: impl FnMut([f64; 3]) -> [f64;
             }
         }
     }
-    map(mesh, |p| at(p))
+    map(mesh, at)
 }
 
 /// A thin plate.

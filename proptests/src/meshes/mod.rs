@@ -1,4 +1,6 @@
 //! Random, degenerate and extreme meshes to build shells around.
+// Sizes and grid coordinates are small whole numbers here.
+#![allow(clippy::cast_possible_wrap, clippy::cast_sign_loss, clippy::float_cmp)]
 
 mod closed;
 mod crossing;

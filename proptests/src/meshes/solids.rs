@@ -21,7 +21,8 @@ fn hull_of(n: usize, range: i64, random: &mut Random) -> TriMesh {
             .map(|_| std::array::from_fn(|_| random.below(2 * range as usize + 1) as i64 - range))
             .collect();
         if let Some(faces) = facets(&points) {
-            return compact(points.iter().map(|p| p.map(|x| x as f64)).collect(), faces);
+            let vertices: Vec<[f64; 3]> = points.iter().map(|p| p.map(|x| x as f64)).collect();
+            return compact(&vertices, faces);
         }
     }
 }
@@ -54,7 +55,7 @@ fn facets(p: &[[i64; 3]]) -> Option<Vec<[u32; 3]>> {
 }
 
 /// Without the vertices that no face uses.
-fn compact(vertices: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> TriMesh {
+fn compact(vertices: &[[f64; 3]], faces: Vec<[u32; 3]>) -> TriMesh {
     let mut new = vec![None; vertices.len()];
     let mut out = TriMesh::default();
     for face in faces {
