@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use homeo::certify::{Options, Silent, certify};
-use homeo::construct::{InitialOptions, OptimiseOptions, initial, optimise, optimise_joint};
+use homeo::construct::{InitialOptions, OptimiseOptions, Thickness, initial, optimise, optimise_joint};
 use homeo::mesh;
 use homeo::shell::Shell;
 use homeo::shell::hdf5::{self, ShellFile};
@@ -32,18 +32,24 @@ fn longest_box_edge(points: &[[f64; 3]]) -> f64 {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let option = |name: &str| args.iter().position(|a| a == name).and_then(|i| args.get(i + 1));
-    let path = args
-        .first()
-        .ok_or("usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [-o FILE.h5]")?;
-    let thick = option("--thickness").map_or(Ok(0.05), |t| t.parse())?;
+    let path = args.first().ok_or(
+        "usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [--seed N] [-o FILE.h5]",
+    )?;
+    let thick = Thickness::Share(option("--thickness").map_or(Ok(0.05), |t| t.parse())?);
     let angle = option("--angle").map_or(Ok(0.001f64.acos().to_degrees()), |t| t.parse())?;
     let polish = option("--polish").map_or(Ok(20), |t| t.parse())?;
+    let seed = option("--seed").map_or(Ok(0), |t| t.parse())?;
     let mesh = mesh::read(Path::new(path))?.mesh;
     let start = Instant::now();
-    let first = initial(&mesh, &InitialOptions { thickness: thick }, &Silent)?;
+    let first = initial(&mesh, &InitialOptions { thickness: thick, ..InitialOptions::default() }, &Silent)?;
     let middle = start.elapsed().as_secs_f64();
-    let options =
-        OptimiseOptions { thickness: thick, max_angle_degrees: angle, polish, ..OptimiseOptions::default() };
+    let options = OptimiseOptions {
+        thickness: thick,
+        max_angle_degrees: angle,
+        polish,
+        seed,
+        ..OptimiseOptions::default()
+    };
     let partner = option("--partner").map(|p| mesh::read(Path::new(p))).transpose()?.map(|m| m.mesh);
     let built = match &partner {
         Some(partner) => optimise_joint(&mesh, partner, &first.shell, &options, &Silent)?,

@@ -66,3 +66,4 @@ pub mod predicate;
 pub mod projection;
 pub mod report;
 pub mod shell;
+pub mod transfer;

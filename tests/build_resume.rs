@@ -88,7 +88,7 @@ fn a_build_that_is_killed_again_and_again_ends_with_the_same_files() {
         if !wait_for(&path("work"), &mut child) {
             break;
         }
-        std::thread::sleep(Duration::from_millis(20 + 37 * (round * 7 % 5)));
+        std::thread::sleep(Duration::from_millis(5 + 11 * (round * 7 % 5)));
         child.kill().unwrap();
         child.wait().unwrap();
         if !path("work").exists() {

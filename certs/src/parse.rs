@@ -5,7 +5,7 @@ use crate::line::{Bounds, Line, Names4, Plane, Value, weights};
 use crate::{Fail, Res, fail, malformed};
 use num_bigint::BigInt;
 
-pub(crate) const CLAIMS: [&str; 8] = [
+pub(crate) const CLAIMS: [&str; 9] = [
     "positivity",
     "section",
     "bijection",
@@ -14,7 +14,11 @@ pub(crate) const CLAIMS: [&str; 8] = [
     "disjoint-bottom",
     "disjoint-top",
     "i2",
+    "disjoint-prisms",
 ];
+
+/// The claims about a shell alone.
+const NO_MESH: [&str; 2] = ["positivity", "disjoint-prisms"];
 
 /// What a `shell` or `mesh` line states.
 #[derive(Clone, Default)]
@@ -43,6 +47,7 @@ pub(crate) enum Block {
     NoLift(Vec<usize>, Witness),
     Separated(Vec<Separation>),
     Crossing(Vec<Crossing>),
+    Overlap(Vec<Overlap>),
 }
 
 pub(crate) struct TetFact {
@@ -78,6 +83,13 @@ pub(crate) struct Crossing {
     pub(crate) contact: Option<(Names4, Value)>,
 }
 
+/// An `overlap` line: two tets, weights on the names of each.
+pub(crate) struct Overlap {
+    pub(crate) line: usize,
+    pub(crate) tets: [Names4; 2],
+    pub(crate) weights: [Vec<BigInt>; 2],
+}
+
 pub(crate) enum Witness {
     Topology(usize, bool, [i128; 2]),
     Tet(TetFact),
@@ -109,33 +121,63 @@ pub(crate) struct Leg {
     pub(crate) steps: Vec<(At, Names4)>,
 }
 
-struct Parser<'a> {
+pub(crate) struct Parser<'a> {
     rest: &'a str,
-    at: usize,
+    /// The number of the last line read.
+    pub(crate) at: usize,
     bounds: Bounds,
 }
 
 /// Reads and judges a certificate file.
 pub(crate) fn parse(bytes: &[u8]) -> Res<Cert> {
-    if bytes.len() > 1 << 30 {
-        return fail(3, "size", "the certificate is larger than 2^30 bytes");
-    }
-    let bad = bytes.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e));
-    let text = match (bad, std::str::from_utf8(bytes)) {
-        (None, Ok(text)) => text,
-        (bad, _) => return malformed("bytes", format!("byte {} is not allowed", bad.unwrap_or(0))),
-    };
-    if text != "end\n" && !text.ends_with("\nend\n") {
-        return malformed("truncated", "the last line is not `end`");
-    }
-    let mut parser = Parser { rest: text, at: 0, bounds: Bounds::default() };
-    if parser.raw() != Some("homeo-certificate 1") {
-        return malformed("magic", "line 1 is not `homeo-certificate 1`");
-    }
-    parser.cert()
+    Parser::open(bytes, "homeo-certificate 1")?.cert()
 }
 
 impl<'a> Parser<'a> {
+    /// A file with this first line, judged as a whole.
+    pub(crate) fn open(bytes: &'a [u8], magic: &str) -> Res<Self> {
+        if bytes.len() > 1 << 30 {
+            return fail(3, "size", "the certificate is larger than 2^30 bytes");
+        }
+        let bad = bytes.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e));
+        let text = match (bad, std::str::from_utf8(bytes)) {
+            (None, Ok(text)) => text,
+            (bad, _) => return malformed("bytes", format!("byte {} is not allowed", bad.unwrap_or(0))),
+        };
+        if text != "end\n" && !text.ends_with("\nend\n") {
+            return malformed("truncated", "the last line is not `end`");
+        }
+        let mut parser = Parser { rest: text, at: 0, bounds: Bounds::default() };
+        if parser.raw() != Some(magic) {
+            return malformed("magic", format!("line 1 is not `{magic}`"));
+        }
+        Ok(parser)
+    }
+
+    /// The `counts` line, which must state these, and the last one.
+    pub(crate) fn finish(&mut self, counts: &[usize]) -> Res {
+        let mut line = self.line("counts")?;
+        let mut stated = Vec::new();
+        while line.more() {
+            stated.push(line.id(usize::MAX)?);
+        }
+        line.finish()?;
+        if stated != counts {
+            return malformed("counts", format!("line {}: the counts are {counts:?}", self.at));
+        }
+        self.line("end")?.finish()?;
+        if self.rest.is_empty() { Ok(()) } else { Line::new("", self.at + 1, self.bounds).syntax() }
+    }
+
+    pub(crate) fn starts_with(&self, text: &str) -> bool {
+        self.rest.starts_with(text)
+    }
+
+    /// The next line, whatever it starts with.
+    pub(crate) fn any_line(&mut self) -> Line<'a> {
+        Line::new(self.raw().unwrap_or(""), self.at, self.bounds)
+    }
+
     fn raw(&mut self) -> Option<&'a str> {
         let (line, rest) = self.rest.split_once('\n')?;
         self.rest = rest;
@@ -144,13 +186,13 @@ impl<'a> Parser<'a> {
     }
 
     /// The next line, which must start with `word`.
-    fn line(&mut self, word: &str) -> Res<Line<'a>> {
-        let mut line = Line::new(self.raw().unwrap_or(""), self.at, self.bounds);
+    pub(crate) fn line(&mut self, word: &str) -> Res<Line<'a>> {
+        let mut line = self.any_line();
         line.expect(word)?;
         Ok(line)
     }
 
-    fn peek(&self, word: &str) -> bool {
+    pub(crate) fn peek(&self, word: &str) -> bool {
         let line = self.rest.split('\n').next().unwrap_or("");
         line.split(' ').next() == Some(word)
     }
@@ -188,7 +230,7 @@ impl<'a> Parser<'a> {
         let plan = plan(claim)?;
         cert.shell = self.stated("shell")?;
         (self.bounds.shell, self.bounds.prisms) = (cert.shell.vertices, cert.shell.faces);
-        if cert.claims != [("positivity", true)] && cert.claims != [("positivity", false)] {
+        if cert.claims.iter().any(|(name, _)| !NO_MESH.contains(name)) {
             let mesh = self.stated("mesh")?;
             (self.bounds.mesh, self.bounds.triangles) = (mesh.vertices, mesh.faces);
             cert.mesh = Some(mesh);
@@ -213,26 +255,16 @@ impl<'a> Parser<'a> {
             counts.push(self.at - before);
             cert.owners.push(owner);
         }
-        let mut line = self.line("counts")?;
-        let mut stated = Vec::new();
-        while line.more() {
-            stated.push(line.id(usize::MAX)?);
-        }
-        line.finish()?;
-        if stated != counts {
-            return malformed("counts", format!("line {}: the counts are {counts:?}", self.at));
-        }
-        self.line("end")?.finish()?;
-        if self.rest.is_empty() { Ok(cert) } else { Line::new("", self.at + 1, self.bounds).syntax() }
+        self.finish(&counts)?;
+        Ok(cert)
     }
 
     fn stated(&mut self, word: &str) -> Res<Stated> {
         let mut line = self.line(word)?;
-        let sha = line.next()?;
-        line.require(sha.len() == 64 && sha.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f')))?;
+        let sha = line.sha()?;
         let (vertices, faces) = (line.id(usize::MAX)?, line.id(usize::MAX)?);
         line.finish()?;
-        Ok(Stated { sha: sha.to_owned(), vertices, faces })
+        Ok(Stated { sha, vertices, faces })
     }
 
     fn order(&mut self) -> Res<Option<Vec<usize>>> {
@@ -273,6 +305,13 @@ impl<'a> Parser<'a> {
                 let contact = Some((tet, line.value()?));
                 line.finish()?;
                 Ok(Crossing { line: line.at, pair, first, second, contact })
+            })?),
+            "disjoint-prisms" if self.peek("tet") => Block::NoLift(Vec::new(), self.witness()?),
+            "disjoint-prisms" => Block::Overlap(self.list("overlap", false, |line| {
+                let (first, u) = (line.tet()?, weights(line, 4)?);
+                let (second, v) = (line.tet()?, weights(line, 4)?);
+                line.finish()?;
+                Ok(Overlap { line: line.at, tets: [first, second], weights: [u, v] })
             })?),
             _ => Block::Crossing(self.list("cross", false, |line| {
                 let pair = pair(line, name)?;
@@ -360,7 +399,7 @@ impl<'a> Parser<'a> {
         } else {
             &["twice", "monodromy"]
         };
-        let mut last = Line::new(self.raw().unwrap_or(""), self.at, self.bounds);
+        let mut last = self.any_line();
         let word = last.next()?;
         let Some(reason) = allowed.iter().find(|r| **r == word) else { return last.syntax() };
         last.finish()?;
@@ -410,6 +449,8 @@ fn plan(claim: impl Fn(&str) -> Option<bool>) -> Res<Vec<(&'static str, bool, &'
     let own =
         i2.is_some() && (i2 == Some(true) || yes(&["section-all-orders", "disjoint-bottom", "disjoint-top"]));
     add("i2", own, i2 == Some(true), "i2");
+    let prisms = claim("disjoint-prisms");
+    add("disjoint-prisms", prisms.is_some(), prisms == Some(true), "disjoint-prisms");
     Ok(plan)
 }
 
@@ -425,10 +466,15 @@ fn at(line: &mut Line<'_>) -> Res<At> {
 
 /// The `(i, j)` of a `sep` or `cross` line of the block `name`.
 fn pair(line: &mut Line<'_>, name: &str) -> Result<(usize, usize), Fail> {
-    let mesh = name == "disjoint-mesh";
-    let i = line.id(line.bounds.triangles)?;
-    let j = line.id(if mesh { line.bounds.triangles } else { line.bounds.prisms })?;
-    line.require(!mesh || i < j)?;
+    let Bounds { triangles, prisms, .. } = line.bounds;
+    let (first, second, itself) = match name {
+        "disjoint-mesh" => (triangles, triangles, true),
+        // How many triangles the skin has is known later.
+        "disjoint-prisms" => (usize::MAX, usize::MAX, true),
+        _ => (triangles, prisms, false),
+    };
+    let (i, j) = (line.id(first)?, line.id(second)?);
+    line.require(!itself || i < j)?;
     Ok((i, j))
 }
 

@@ -12,7 +12,7 @@ pub trait Observer: Sync {
         let _ = units;
     }
 
-    /// The shell under construction has so many prisms now.
+    /// The shell under construction has `count` prisms now.
     fn prisms(&self, count: u64) {
         let _ = count;
     }

@@ -13,6 +13,8 @@ use crate::mesh::TriMesh;
 
 /// Arguments about checkpoints.
 #[derive(Debug, clap::Args)]
+// A group is named after its type, and the command has one of this name.
+#[group(skip)]
 pub(super) struct Args {
     /// Keep the work in this file, and resume from it if it is there; removed when the shell is complete and written.
     /// After a kill at any moment, the same command goes on and ends with the same shell

@@ -3,11 +3,12 @@
 use crate::certify::CertifyError;
 use crate::construct::BuildError;
 use crate::construct::optimise::checkpoint::CheckpointError;
-use crate::mesh::MeshError;
+use crate::mesh::{MeshError, UvError};
 use crate::shell::hdf5;
 use crate::shell::three::ThreeError;
 use crate::shell::validate::ShellError;
 use crate::shell::vtu::VtuError;
+use crate::transfer::attribute::AttributeError;
 
 /// Why a command has no answer. Printed as one line on standard error; exit code 2.
 #[derive(Debug, thiserror::Error)]
@@ -78,6 +79,30 @@ pub enum CliError {
         /// The first refutation.
         reason: String,
     },
+    /// The independent checker did not accept the files as written; they were removed. An error of the program.
+    #[error(
+        "{file}: internal contradiction, please report it with the input: the independent checker says `{answer}` about the \
+         shell and the certificate as written; nothing was left in place"
+    )]
+    NotAccepted {
+        /// The shell file.
+        file: String,
+        /// The checker's first line.
+        answer: String,
+    },
+    /// A map that is not known to be a bijection.
+    #[error(
+        "{mesh}: not certified as a section of this shell, so nothing was carried: {reason} (--unproved carries on all the same)"
+    )]
+    Unproved {
+        /// The mesh.
+        mesh: String,
+        /// The reason.
+        reason: String,
+    },
+    /// Attributes that could not be read, carried or written.
+    #[error(transparent)]
+    Attribute(#[from] AttributeError),
     /// A shell could not be written for ParaView.
     #[error(transparent)]
     Vtu(#[from] VtuError),
@@ -104,6 +129,35 @@ pub enum CliError {
         files: String,
         /// The reason.
         source: CertifyError,
+    },
+    /// No verdict about two position sets.
+    #[error("{files}: {source}")]
+    Map {
+        /// The input files.
+        files: String,
+        /// The reason.
+        source: crate::certify::pl::PlError,
+    },
+    /// Texture coordinates that are no positions of the surface's vertices.
+    #[error("{file}: {source}; --cut audits the surface cut open there")]
+    Uv {
+        /// The file.
+        file: String,
+        /// The reason.
+        source: UvError,
+    },
+    /// A correspondence of vertices that is no map.
+    #[error(
+        "{file}: not a map: {count} triangles of B (first: {first}) have their places in no closed triangle of A together, so \
+         it is not said how they run"
+    )]
+    NotAMap {
+        /// The file.
+        file: String,
+        /// How many triangles.
+        count: usize,
+        /// The first of them.
+        first: u32,
     },
     /// The user pressed Ctrl-C.
     #[error("interrupted; nothing was written")]

@@ -1,8 +1,13 @@
 //! What people and programs are told: JSON, and sentences. No decisions are made here.
 
+mod built;
 mod certified;
 mod sentence;
 
+pub use built::{
+    BuildReport, DistanceReport, InputReport, OptionsReport, OutputReport, Parts, StageSeconds,
+    ThicknessReport, Vertices, claims,
+};
 pub use certified::{
     CertifyReport, ClaimReport, MeshReport, PartReport, RefutationReport, ShellReport, StageReport,
 };

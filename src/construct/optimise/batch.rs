@@ -40,9 +40,10 @@ enum Found {
 }
 
 impl Work<'_> {
-    /// Proposals for some keys against the state as it is. With one thread they are made when their turn comes.
+    /// Proposals for some keys against the state as it is. With one thread they are made when their turn comes, except
+    /// where a skin is kept: it is read far from the key, so that a proposal depends on when it was made.
     fn foresee(&self, operation: Operation, keys: &[Key]) -> Vec<Found> {
-        if rayon::current_num_threads() < 2 {
+        if rayon::current_num_threads() < 2 && self.state.skin.is_none() {
             return keys.iter().map(|_| Found::Nothing).collect();
         }
         let one = |key: &Key| {
@@ -54,9 +55,18 @@ impl Work<'_> {
         keys.par_iter().map(one).collect()
     }
 
+    /// Does the skin, if one is kept, still admit what was proposed before other changes of the batch?
+    fn fits_skin(&self, found: &Found) -> bool {
+        match (&self.state.skin, found) {
+            (Some(skin), Found::Made(Some((change, _)))) => skin.admits(&self.state, change),
+            _ => true,
+        }
+    }
+
     /// One operation, with what was found before change number `since`; was the shell changed?
     fn operate(&mut self, operation: Operation, key: Key, found: Found, since: u64) -> bool {
-        let found = if are_settled(&self.state, key, since) { found } else { Found::Nothing };
+        let holds = are_settled(&self.state, key, since) && self.fits_skin(&found);
+        let found = if holds { found } else { Found::Nothing };
         let proposal = match found {
             Found::Vain => return false,
             Found::Nothing if self.tried.in_vain(&self.state, operation, key) => return false,

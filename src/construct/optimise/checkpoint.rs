@@ -12,8 +12,12 @@ use super::batch::Work;
 use super::operation::{Key, Operation, Tried};
 use super::prism::Pillar;
 use super::schedule::{Counts, Pass, Position, REPEATS};
+use super::skin::Skin;
 use super::state::{GONE, State};
 use super::{OptimiseOptions, Optimiser, rules};
+use crate::construct::Thickness;
+use crate::construct::gate::BuildError;
+use crate::construct::scale::Scale;
 use crate::mesh::{self, Connectivity, MeshError, TriMesh};
 use crate::shell::validate::{self, ShellError};
 
@@ -58,6 +62,12 @@ pub enum CheckpointError {
     /// Its shell breaks the input conditions.
     #[error("the checkpoint is damaged: {0}; remove it to start anew")]
     Shell(#[from] ShellError),
+    /// What prisms track around a mesh that intersects itself is not saved.
+    #[error("there are no checkpoints where self-intersections are allowed")]
+    Tracked,
+    /// The mesh can't be scaled.
+    #[error(transparent)]
+    Build(#[from] Box<BuildError>),
     /// The work could not be encoded.
     #[error("the checkpoint could not be encoded: {0}")]
     Encode(postcard::Error),
@@ -77,6 +87,9 @@ struct Saved {
 
 pub(super) fn save(optimiser: &Optimiser<'_>) -> Result<Vec<u8>, CheckpointError> {
     let Work { state, rules, counts, tried, .. } = &optimiser.work;
+    if state.tracked.is_some() {
+        return Err(CheckpointError::Tracked);
+    }
     let payload = postcard::to_stdvec(&Saved {
         faces: state.faces.clone(),
         pillars: state.pillars.clone(),
@@ -90,7 +103,7 @@ pub(super) fn save(optimiser: &Optimiser<'_>) -> Result<Vec<u8>, CheckpointError
     let mut out = Vec::with_capacity(HEADER + payload.len());
     out.extend_from_slice(MAGIC);
     out.extend_from_slice(&VERSION.to_le_bytes());
-    out.extend_from_slice(&hash_of_mesh(rules.judge.mesh));
+    out.extend_from_slice(&hash_of_mesh(&rules.judge.mesh));
     out.extend_from_slice(&hash_of_options(&optimiser.options));
     out.extend_from_slice(&Sha256::digest(&payload));
     out.extend_from_slice(&payload);
@@ -111,12 +124,18 @@ fn hash_of_mesh(mesh: &TriMesh) -> [u8; HASH] {
 
 /// Of all options that the result depends on.
 fn hash_of_options(options: &OptimiseOptions) -> [u8; HASH] {
-    let OptimiseOptions { thickness, max_energy, max_angle_degrees, polish, time_limit: _, seed } = options;
+    let OptimiseOptions { thickness, max_energy, max_angle_degrees, polish, time_limit: _, seed, no_overlap } =
+        options;
     let mut sha = Sha256::new();
+    let (kind, thickness) = match thickness {
+        Thickness::Share(share) => (0, share),
+        Thickness::Absolute(length) => (1, length),
+    };
+    sha.update([kind]);
     for x in [thickness, max_energy, max_angle_degrees] {
         sha.update(x.to_le_bytes());
     }
-    for n in [*polish as u64, *seed] {
+    for n in [*polish as u64, *seed, u64::from(*no_overlap)] {
         sha.update(n.to_le_bytes());
     }
     sha.finalize().into()
@@ -127,23 +146,26 @@ pub(super) fn resume<'m>(
     options: &OptimiseOptions,
     bytes: &[u8],
 ) -> Result<Optimiser<'m>, CheckpointError> {
-    let payload = payload(mesh, options, bytes)?;
-    mesh::check(mesh)?;
+    let scale = Scale::of(mesh);
+    let mesh = scale.mesh(mesh).map_err(Box::new)?;
+    let payload = payload(&mesh, options, bytes)?;
+    mesh::check(&mesh)?;
     let (saved, rest): (Saved, &[u8]) = postcard::take_from_bytes(payload)
         .map_err(|_| CheckpointError::Damaged("the payload is malformed"))?;
     if !rest.is_empty() {
         return Err(CheckpointError::Damaged("there are bytes after the end"));
     }
     check(&saved).map_err(CheckpointError::Damaged)?;
-    let state = state(&saved)?;
-    let rules = rules(mesh, options);
+    let mut state = state(&saved)?;
+    state.skin = options.no_overlap.then(|| Skin::new(&state));
+    let rules = rules(mesh, &options.scaled(scale));
     let holds = |f: &[u32; 3]| *f == GONE || rules.judge.holds(&state.prism(*f, None));
     if !state.faces.par_iter().all(holds) {
         return Err(CheckpointError::Damaged("its shell is not valid around the mesh"));
     }
     let tried = Tried::of(saved.tried);
     let work = Work { state, rules, counts: saved.counts, tried, seed: options.seed };
-    Ok(Optimiser { work, position: saved.position, options: *options })
+    Ok(Optimiser { work, position: saved.position, options: *options, scale })
 }
 
 /// The payload, if the header says that it is that of this mesh and these options, whole.
@@ -190,9 +212,13 @@ fn check(saved: &Saved) -> Result<(), &'static str> {
         return Err("a vertex that does not exist was tried");
     }
     let Position { repeat, pass, before_repeat, before_round, .. } = &saved.position;
+    // One vertex is no edge: an operation on edges might take it for one.
+    let is_key = |operation: Operation, key: &Key| {
+        are_vertices(key) && if operation == Operation::Smooth { key[0] == key[1] } else { key[0] < key[1] }
+    };
     let keys_exist = match pass {
-        Pass::List { keys, .. } => keys.iter().all(are_vertices),
-        Pass::Queue { queue, .. } => queue.iter().all(|entry| are_vertices(&entry.0.2)),
+        Pass::List { operation, keys, .. } => keys.iter().all(|key| is_key(*operation, key)),
+        Pass::Queue { operation, queue } => queue.iter().all(|entry| is_key(*operation, &entry.0.2)),
     };
     let sound = |count: &usize| *count as u64 <= MOST;
     if !keys_exist || *repeat > REPEATS || !sound(before_repeat) || !sound(before_round) {

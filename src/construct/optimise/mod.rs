@@ -13,23 +13,31 @@ pub mod checkpoint;
 mod collapse;
 mod energy;
 mod flip;
+mod grid;
 mod invariants;
 mod limits;
 mod operation;
+#[cfg(test)]
+mod overlap_tests;
 mod partner;
 mod prism;
 mod repair;
 mod schedule;
+mod skin;
 mod smooth;
 mod split;
 mod state;
 #[cfg(test)]
 mod tests;
+pub(crate) mod tracked;
 mod tree;
 
+use std::borrow::Cow;
 use std::convert::Infallible;
 use std::time::{Duration, Instant};
 
+pub(crate) use energy::mips;
+pub(crate) use limits::distance as length;
 pub use schedule::Counts;
 
 use self::batch::{BATCH, Work};
@@ -39,18 +47,22 @@ use self::limits::Limits;
 use self::operation::{Rules, Tried};
 use self::partner::Partner;
 use self::schedule::Position;
+use self::skin::Skin;
 use self::state::State;
+use self::tracked::Tracked;
 use super::gate::BuildError;
-use super::initial::longest_box_edge;
-use crate::certify::{CertifyError, Observer};
+use super::initial::Thickness;
+use super::overlap;
+use super::scale::Scale;
+use crate::certify::{CertifyError, Observer, Silent};
 use crate::mesh::{self, Connectivity, TriMesh};
 use crate::shell::{Shell, validate};
 
 /// How to optimise.
 #[derive(Clone, Copy, Debug)]
 pub struct OptimiseOptions {
-    /// Largest thickness of each half, as a share of the longest edge of the mesh's bounding box.
-    pub thickness: f64,
+    /// Largest thickness of each half.
+    pub thickness: Thickness,
     /// Largest MIPS energy of a middle triangle that a collapse may make (2 is an equilateral triangle).
     pub max_energy: f64,
     /// Distortion bound: no operation makes a mesh triangle touch a tet whose pillar is further than this from its
@@ -64,18 +76,27 @@ pub struct OptimiseOptions {
     /// are visited in the order of their ids, and of equally long edges the one with the smaller ids is collapsed
     /// first; with another seed a hash of seed and ids takes the ids' place.
     pub seed: u64,
+    /// Keep the shell from overlapping itself (claim `disjoint-prisms`); it must not do so at the start.
+    pub no_overlap: bool,
 }
 
 impl Default for OptimiseOptions {
     fn default() -> Self {
         Self {
-            thickness: 0.1,
+            thickness: Thickness::default(),
             max_energy: 30.0,
             max_angle_degrees: 89.95,
             polish: 20,
             time_limit: None,
             seed: 0,
+            no_overlap: false,
         }
+    }
+}
+
+impl OptimiseOptions {
+    fn scaled(&self, scale: Scale) -> Self {
+        Self { thickness: self.thickness.scaled(scale), ..*self }
     }
 }
 
@@ -103,9 +124,23 @@ pub fn optimise(
     options: &OptimiseOptions,
     observer: &dyn Observer,
 ) -> Result<Optimised, BuildError> {
-    let mut optimiser = Optimiser::new(mesh, shell, options)?;
-    let Ok(stopped) = optimiser.run(observer, |_| Ok::<(), Infallible>(()));
-    Ok(Optimised { shell: optimiser.shell(), counts: optimiser.counts(), stopped })
+    Optimiser::new(mesh, shell, options)?.finish(observer)
+}
+
+/// As [`optimise`], for a mesh that may intersect itself and its initial shell, whose prism `i` lies on the mesh triangle
+/// `origin[i]` ([`Initial::origin`](super::Initial)): each prism is judged only against the part of the surface that
+/// runs through it (*Shell* section 6). The result satisfies C1 to C4, but no claim about all pairs in space (C3+, C6).
+///
+/// # Errors
+/// Those of [`Optimiser::local`].
+pub fn optimise_locally(
+    mesh: &TriMesh,
+    shell: &Shell,
+    origin: &[u32],
+    options: &OptimiseOptions,
+    observer: &dyn Observer,
+) -> Result<Optimised, BuildError> {
+    Optimiser::local(mesh, shell, origin, options)?.finish(observer)
 }
 
 /// As [`optimise`], with a second mesh near the first that is to become a section of the shell, too: no operation makes
@@ -123,9 +158,9 @@ pub fn optimise_joint(
 ) -> Result<Optimised, BuildError> {
     mesh::check(partner)?;
     let mut optimiser = Optimiser::new(mesh, shell, options)?;
-    optimiser.work.rules.judge.partner = Some(Box::new(Partner::new(partner)));
-    let Ok(stopped) = optimiser.run(observer, |_| Ok::<(), Infallible>(()));
-    Ok(Optimised { shell: optimiser.shell(), counts: optimiser.counts(), stopped })
+    let partner = Partner::new(optimiser.scale.mesh(partner)?);
+    optimiser.work.rules.judge.partner = Some(Box::new(partner));
+    optimiser.finish(observer)
 }
 
 /// An optimisation under way, between two batches of operations.
@@ -134,6 +169,8 @@ pub struct Optimiser<'m> {
     work: Work<'m>,
     position: Position,
     options: OptimiseOptions,
+    /// From the user's size to that of the work.
+    scale: Scale,
 }
 
 impl<'m> Optimiser<'m> {
@@ -141,20 +178,50 @@ impl<'m> Optimiser<'m> {
     ///
     /// # Errors
     /// [`BuildError::Mesh`] and [`BuildError::Certify`] where mesh or shell break the input conditions (THEORY section
-    /// 1). The claims themselves are not checked here: on a shell that is not valid the result is not, either.
+    /// 1); [`BuildError::Range`] near the ends of the range of doubles; [`BuildError::Overlap`] where the shell must not
+    /// overlap itself and does. The claims themselves are not checked here: on a
+    /// shell that is not valid the result is not, either.
     pub fn new(mesh: &'m TriMesh, shell: &Shell, options: &OptimiseOptions) -> Result<Self, BuildError> {
         mesh::check(mesh)?;
         validate::validate(shell).map_err(CertifyError::from)?;
+        let scale = Scale::of(mesh);
         let connectivity = Connectivity::new(shell.middle.len(), &shell.faces)?;
         let mut work = Work {
-            state: State::new(shell, &connectivity),
-            rules: rules(mesh, options),
+            state: State::new(&scale.shell(shell)?, &connectivity),
+            rules: rules(scale.mesh(mesh)?, &options.scaled(scale)),
             counts: Counts::default(),
             tried: Tried::default(),
             seed: options.seed,
         };
+        if options.no_overlap {
+            overlap::refuse(shell, &Silent)?;
+            work.state.skin = Some(Skin::new(&work.state));
+        }
         let position = Position::new(&mut work);
-        Ok(Self { work, position, options: *options })
+        Ok(Self { work, position, options: *options, scale })
+    }
+
+    /// Begins with an initial shell around a mesh that may intersect itself; see [`optimise_locally`].
+    ///
+    /// # Errors
+    /// Those of [`Self::new`]; [`BuildError::Origin`].
+    pub fn local(
+        mesh: &'m TriMesh,
+        shell: &Shell,
+        origin: &[u32],
+        options: &OptimiseOptions,
+    ) -> Result<Self, BuildError> {
+        let wrong =
+            origin.len() != shell.faces.len() || origin.iter().any(|&f| f as usize >= mesh.faces.len());
+        if wrong {
+            return Err(BuildError::Origin { prisms: shell.faces.len(), origins: origin.len() });
+        }
+        let mut out = Self::new(mesh, shell, options)?;
+        let around = Connectivity::new(mesh.vertices.len(), &mesh.faces)?;
+        let (state, mesh) = (&out.work.state, &out.work.rules.judge.mesh);
+        let tracked = Tracked::new(mesh, &around, origin, |i| state.prism(state.faces[i], None));
+        out.work.state.tracked = Some(tracked);
+        Ok(out)
     }
 
     /// Goes on from a checkpoint: to the same result, bit for bit, as if there had been no interruption.
@@ -219,8 +286,21 @@ impl<'m> Optimiser<'m> {
     }
 
     /// The shell as it is now.
-    pub fn shell(&self) -> Shell {
-        self.work.state.shell()
+    ///
+    /// # Errors
+    /// [`BuildError::Range`] near the ends of the range of doubles.
+    pub fn shell(&self) -> Result<Shell, BuildError> {
+        self.scale.inverse().shell(&self.work.state.shell())
+    }
+
+    fn finish(mut self, observer: &dyn Observer) -> Result<Optimised, BuildError> {
+        let Ok(stopped) = self.run(observer, |_| Ok::<(), Infallible>(()));
+        let shell = self.shell()?;
+        if self.options.no_overlap {
+            // The skin is one half of the claim; the other half, that no part lies within another, is global.
+            overlap::refuse(&shell, &Silent)?;
+        }
+        Ok(Optimised { shell, counts: self.counts(), stopped })
     }
 
     /// What was done so far.
@@ -229,9 +309,9 @@ impl<'m> Optimiser<'m> {
     }
 }
 
-fn rules<'m>(mesh: &'m TriMesh, options: &OptimiseOptions) -> Rules<'m> {
-    Rules {
-        judge: Judge::new(mesh, options.max_angle_degrees.to_radians().cos().max(0.0)),
-        limits: Limits { thickness: options.thickness * longest_box_edge(mesh), energy: options.max_energy },
-    }
+/// The rules at the size of the work.
+fn rules<'m>(mesh: TriMesh, options: &OptimiseOptions) -> Rules<'m> {
+    let limits = Limits { thickness: options.thickness.length(&mesh), energy: options.max_energy };
+    let least_cosine = options.max_angle_degrees.to_radians().cos().max(0.0);
+    Rules { judge: Judge::new(Cow::Owned(mesh), least_cosine), limits }
 }

@@ -4,6 +4,8 @@
 //! a *violation*, which no operation increases and repairs (`repair.rs`) lower. Floats steer here: that a shell with
 //! violation zero holds the partner is for the certifier to say.
 
+use std::borrow::Cow;
+
 use super::cast;
 use super::invariants::{Judge, View, at_pinch};
 use super::prism::{Pillar, Prism};
@@ -20,10 +22,10 @@ const FOLD: f64 = 0.1;
 #[derive(Debug)]
 pub(crate) struct Partner<'a>(Judge<'a>);
 
-impl<'a> Partner<'a> {
+impl Partner<'_> {
     /// O(n log n).
-    pub(crate) fn new(mesh: &'a TriMesh) -> Self {
-        Self(Judge::new(mesh, 0.0))
+    pub(crate) fn new(mesh: TriMesh) -> Self {
+        Self(Judge::new(Cow::Owned(mesh), 0.0))
     }
 
     /// Is the partner violated no more after a change than before?

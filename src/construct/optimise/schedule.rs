@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::batch::{BATCH, Entry, Work, rank};
 use super::operation::{Key, Operation};
 use super::repair;
+use super::split;
 
 /// How often coarsening and polishing are repeated at most.
 pub(crate) const REPEATS: u32 = 4;
@@ -140,10 +141,15 @@ impl Position {
             (Operation::Relief, _) => Operation::Flip,
             (Operation::Smooth, Phase::Coarsen) if self.repeat == 0 => Operation::Collapse,
             (Operation::Smooth, Phase::Coarsen) => Operation::HardCollapse,
+            (Operation::Split, _) => Operation::Flip,
             _ => {
                 self.next_round(work, polish);
+                // Once, so that splits and collapses do not undo each other for ever; later coarsening takes away
+                // what has not helped.
+                let first = self.repeat == 0 && self.phase == Phase::Polish(0);
                 match self.phase {
                     Phase::Relieve(_) => Operation::Relief,
+                    _ if first => Operation::Split,
                     _ => Operation::Flip,
                 }
             }
@@ -193,7 +199,12 @@ impl Work<'_> {
         let keys: Vec<Key> = match operation {
             Operation::Smooth | Operation::Repair => self.free_vertices(),
             Operation::Relief => self.narrow_edges(),
-            Operation::Flip | Operation::Split => self.state.edges(),
+            Operation::Flip => self.state.edges(),
+            Operation::Split => {
+                let mut edges = self.state.edges();
+                edges.retain(|&e| split::is_wanted(&self.state, &self.rules.limits, e));
+                edges
+            }
             Operation::Collapse | Operation::HardCollapse => {
                 let queue = self.state.edges().into_iter().map(|e| self.entry(e)).collect();
                 return Pass::Queue { operation, queue };

@@ -29,11 +29,13 @@ pub(crate) struct Vertex<'a> {
     judge: &'a Judge<'a>,
     v: u32,
     pillar: Pillar,
+    tracked: Option<Vec<u32>>,
 }
 
 impl<'a> Vertex<'a> {
     pub(crate) fn new(state: &'a State, judge: &'a Judge<'a>, v: u32) -> Self {
-        Self { state, judge, v, pillar: state.pillars[v as usize] }
+        let (pillar, tracked) = (state.pillars[v as usize], state.candidates_around(v));
+        Self { state, judge, v, pillar, tracked }
     }
 
     /// What was done to the pillar.
@@ -47,6 +49,12 @@ impl<'a> Vertex<'a> {
         star.map(|&f| self.state.prism(self.state.faces[f as usize], Some(&(self.v, pillar)))).collect()
     }
 
+    /// Does the skin, if one is kept, stay free of self-intersection with the pillar?
+    fn fits_skin(&self, pillar: Pillar) -> bool {
+        let change = Change { moved: Some((self.v, pillar)), ..Change::default() };
+        self.state.skin.as_ref().is_none_or(|skin| skin.admits(self.state, &change))
+    }
+
     /// Takes another pillar, if some share of the step, found by halving, keeps C1 and `better`, and the invariants
     /// about the mesh hold there.
     fn attempt(&mut self, step: impl Fn(f64) -> Pillar, better: impl Fn(&[Prism]) -> bool) -> bool {
@@ -56,7 +64,8 @@ impl<'a> Vertex<'a> {
             let prisms = self.prisms(pillar);
             if pillar.is_finite()
                 && better(&prisms)
-                && self.judge.prefers(&prisms, || self.prisms(self.pillar))
+                && self.judge.prefers(&prisms, self.tracked.as_deref(), || self.prisms(self.pillar))
+                && self.fits_skin(pillar)
             {
                 self.pillar = pillar;
                 return true;
@@ -162,9 +171,10 @@ impl<'a> Vertex<'a> {
             if (0..2).any(|k| which[k] && !grows[k]) {
                 continue;
             }
+            // Halved in its logarithm: thin pillars grow little by little, too.
+            let length = |k: usize, share: f64| from[k] * root(goal[k] / from[k], share);
             let step = |share: f64| {
-                let [down, up] =
-                    [0, 1].map(|k| if which[k] { from[k] + share * (goal[k] - from[k]) } else { from[k] });
+                let [down, up] = [0, 1].map(|k| if which[k] { length(k, share) } else { from[k] });
                 with_lengths(&old.middle, &d, down, up)
             };
             if self.attempt(step, |_| true) {
@@ -173,6 +183,16 @@ impl<'a> Vertex<'a> {
         }
         false
     }
+}
+
+/// `factor` to the power of `share`, 1 over a power of two: by roots, which are the same on every machine.
+fn root(factor: f64, share: f64) -> f64 {
+    let (mut out, mut power) = (factor, 1.0);
+    while power > share {
+        out = out.sqrt();
+        power *= 0.5;
+    }
+    out
 }
 
 fn total(prisms: &[Prism]) -> f64 {

@@ -1,4 +1,7 @@
 //! Edge split: a new pillar at the middle of an edge, four prisms instead of two.
+//!
+//! The passes of the paper need none. It helps where a pillar is stuck at a small thickness: among smaller prisms it has
+//! room to grow, and the coarsening of the next repeat takes away again what is not needed.
 
 use super::cast;
 use super::energy::mips;
@@ -10,14 +13,33 @@ use super::state::{Change, NEW, State};
 /// The shares of the mean length of its neighbours that a new pillar's halves are tried with.
 const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
 
-/// The split of an edge, if the largest energy of the four new middle triangles is below that of the two old ones, and
-/// all invariants and rules keep. No end of the edge is frozen.
+/// A pillar half shorter than this share of the largest thickness is thin. Chosen by measuring: with 0.1 hardly
+/// anything is thin, with 0.4 there are noticeably more prisms at the end.
+const THIN: f64 = 0.1;
+
+/// Is there reason to split the edge: a triangle of too high energy, or a thin end?
+pub(crate) fn is_wanted(state: &State, limits: &Limits, [u, w]: [u32; 2]) -> bool {
+    let thin = |v: u32| thickness(&state.pillars[v as usize]) < THIN * limits.thickness;
+    worst(state, u, w).is_some_and(|energy| energy > limits.energy || thin(u) || thin(w))
+}
+
+/// The shorter half.
+fn thickness(pillar: &Pillar) -> f64 {
+    distance(&pillar.bottom, &pillar.middle).min(distance(&pillar.top, &pillar.middle))
+}
+
+/// The split of an edge, if all invariants and rules keep, and it lowers the largest energy of the middle triangles, or
+/// makes a pillar thicker than that of the thinner end while the energy stays below the limit.
 pub(crate) fn propose(state: &State, judge: &Judge<'_>, limits: &Limits, [u, w]: [u32; 2]) -> Option<Change> {
     let before = worst(state, u, w)?;
+    let thin =
+        [u, w].map(|v| thickness(&state.pillars[v as usize])).into_iter().fold(f64::INFINITY, f64::min);
     SHARES.iter().find_map(|&share| {
         let change = at_middle(state, judge, limits, [u, w], share)?;
         let after = energy(&state.prisms(&change));
-        (after < before && judge.admits(state, &change)).then_some(change)
+        let thicker = change.moved.is_some_and(|(_, pillar)| thickness(&pillar) > thin);
+        let better = after < before || after <= limits.energy && thin < THIN * limits.thickness && thicker;
+        (better && judge.admits(state, &change)).then_some(change)
     })
 }
 

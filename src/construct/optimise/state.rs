@@ -1,6 +1,8 @@
 //! The shell under optimisation: faces of the middle complex, stars of its vertices, pillars.
 
 use super::prism::{Pillar, Prism};
+use super::skin::Skin;
+use super::tracked::Tracked;
 use crate::mesh::Connectivity;
 use crate::shell::Shell;
 
@@ -25,6 +27,10 @@ pub(crate) struct State {
     pub(crate) clock: u64,
     /// Per vertex the number of the last change to its pillar or star.
     pub(crate) changed: Vec<u64>,
+    /// Around a mesh that intersects itself: what each prism is judged against.
+    pub(crate) tracked: Option<Tracked>,
+    /// The skin, where it must stay free of self-intersection.
+    pub(crate) skin: Option<Skin>,
 }
 
 /// A replacement of faces by others, and of at most one pillar by another, or a first one for the vertex [`NEW`].
@@ -67,7 +73,7 @@ impl State {
             }
         }
         let pinched = pillars.iter().map(Pillar::is_pinched).collect();
-        Self { faces, pillars, pinched, boundary, star, live, clock, changed }
+        Self { faces, pillars, pinched, boundary, star, live, clock, changed, tracked: None, skin: None }
     }
 
     /// The shell, ids closed up in ascending order.
@@ -155,6 +161,26 @@ impl State {
         moved.into_iter().flatten().filter(|f| !change.remove.contains(f))
     }
 
+    /// The mesh triangles that a change is to be judged against, where not all are.
+    pub(crate) fn candidates(&self, change: &Change) -> Option<Vec<u32>> {
+        let touched = change.remove.iter().chain(self.kept(change)).copied();
+        self.tracked.as_ref().map(|tracked| tracked.union(touched))
+    }
+
+    /// The mesh triangles that a move of a vertex is to be judged against, where not all are.
+    pub(crate) fn candidates_around(&self, v: u32) -> Option<Vec<u32>> {
+        self.tracked.as_ref().map(|tracked| tracked.union(self.star[v as usize].iter().copied()))
+    }
+
+    /// Hands the triangles that were tracked before a change on to the prisms after it.
+    fn track(&mut self, faces: &[u32], candidates: &[u32]) {
+        let Some(mut tracked) = self.tracked.take() else { return };
+        for &f in faces {
+            tracked.set(f as usize, &self.prism(self.faces[f as usize], None), candidates);
+        }
+        self.tracked = Some(tracked);
+    }
+
     /// Was there no change to the vertex and its neighbours after change number `clock`? Then nothing is new in its
     /// star, its neighbours' stars, or the pillars of all these: a proposal for a vertex, or for an edge whose ends are
     /// both settled, reads nothing else of the state, and is what it was. Faces further off are read only as stars of
@@ -166,6 +192,8 @@ impl State {
 
     /// Makes a change that was checked.
     pub(crate) fn apply(&mut self, change: &Change) {
+        let candidates = self.candidates(change);
+        let mut touched: Vec<u32> = self.kept(change).copied().collect();
         self.clock += 1;
         for &f in &change.remove {
             for v in std::mem::replace(&mut self.faces[f as usize], GONE) {
@@ -185,6 +213,7 @@ impl State {
         for (k, face) in change.add.iter().enumerate() {
             let face = face.map(|v| if v == NEW { new } else { v });
             let id = self.place(change.remove.get(k).copied(), face);
+            touched.push(id);
             for v in face {
                 self.changed[v as usize] = self.clock;
                 let star = &mut self.star[v as usize];
@@ -192,6 +221,13 @@ impl State {
             }
         }
         self.live = self.live + change.add.len() - change.remove.len();
+        if let Some(candidates) = candidates {
+            self.track(&touched, &candidates);
+        }
+        if let Some(mut skin) = self.skin.take() {
+            skin.update(self, touched.iter().chain(&change.remove).copied());
+            self.skin = Some(skin);
+        }
     }
 
     /// Appends an inner vertex without faces.

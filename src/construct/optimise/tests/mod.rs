@@ -3,6 +3,7 @@
 mod resume;
 mod same;
 
+use std::borrow::Cow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
@@ -166,7 +167,10 @@ fn random_sequence(mesh: &TriMesh, operations: usize, random: &mut Random) {
     let first = initial(mesh, &InitialOptions::default(), &Silent).unwrap();
     let start = connectivity(&first.shell);
     let mut state = State::new(&first.shell, &start);
-    let rules = Rules { judge: Judge::new(mesh, 0.0), limits: Limits { thickness: 0.3, energy: 30.0 } };
+    let rules = Rules {
+        judge: Judge::new(Cow::Borrowed(mesh), 0.0),
+        limits: Limits { thickness: 0.3, energy: 30.0 },
+    };
     let frozen: Vec<(usize, Pillar)> = (0..state.pillars.len())
         .filter(|&v| state.is_frozen(v as u32))
         .map(|v| (v, state.pillars[v]))
@@ -232,7 +236,7 @@ fn judge_agrees_with_the_certifier_on_random_moves() {
         let options = OptimiseOptions { polish: 2, ..OptimiseOptions::default() };
         let shell = optimise(&mesh, &first.shell, &options, &Silent).unwrap().shell;
         let state = State::new(&shell, &connectivity(&shell));
-        let judge = Judge::new(&mesh, 0.0);
+        let judge = Judge::new(Cow::Borrowed(&mesh), 0.0);
         for _ in 0..120 {
             let v = random.below(state.pillars.len());
             let size = [0.02, 0.1, 0.3][random.below(3)];

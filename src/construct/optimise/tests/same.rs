@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::construct::optimise::operation::Proposal;
+use std::borrow::Cow;
 
 fn with_threads<R: Send>(threads: usize, run: impl FnOnce() -> R + Send) -> R {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(run)
@@ -56,7 +57,10 @@ fn proposals_at_settled_keys_stay_what_they_were() {
     for mesh in [bumpy(2, &mut Random(24)), landscape(7, &mut Random(25))] {
         let first = initial(&mesh, &InitialOptions::default(), &Silent).unwrap();
         let mut state = State::new(&first.shell, &connectivity(&first.shell));
-        let rules = Rules { judge: Judge::new(&mesh, 0.0), limits: Limits { thickness: 0.3, energy: 30.0 } };
+        let rules = Rules {
+            judge: Judge::new(Cow::Borrowed(&mesh), 0.0),
+            limits: Limits { thickness: 0.3, energy: 30.0 },
+        };
         let mut random = Random(26);
         for _ in 0..12 {
             let keys: Vec<[u32; 2]> = state.edges();
