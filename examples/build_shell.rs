@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use homeo::certify::{Options, Silent, certify};
-use homeo::construct::{InitialOptions, OptimiseOptions, initial, optimise};
+use homeo::construct::{InitialOptions, OptimiseOptions, initial, optimise_joint};
 use homeo::mesh;
 use homeo::shell::Shell;
 use homeo::shell::hdf5::{self, ShellFile};
@@ -44,7 +44,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let middle = start.elapsed().as_secs_f64();
     let options =
         OptimiseOptions { thickness: thick, max_angle_degrees: angle, polish, ..OptimiseOptions::default() };
-    let built = optimise(&mesh, &first.shell, &options, &Silent)?;
+    let partner = option("--partner").map(|p| mesh::read(Path::new(p))).transpose()?.map(|m| m.mesh);
+    let built = optimise_joint(&mesh, partner.as_ref(), &first.shell, &options, &Silent)?;
     let seconds = start.elapsed().as_secs_f64();
     let [min, mean] = thickness(&built.shell, longest_box_edge(&mesh.vertices));
     println!(
@@ -55,6 +56,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         built.shell.faces.len(),
         built.counts
     );
+    if let Some(p) = &partner {
+        let outcome = certify(&built.shell, Some(p), &Options::default(), &Silent)?;
+        for claim in &outcome.claims {
+            print!("PARTNER {} {}; ", claim.claim, claim.verdict);
+            for r in claim.refutations.iter().take(1) {
+                print!("[{}] ", r.text);
+            }
+        }
+        println!();
+    }
     let outcome = certify(&built.shell, Some(&mesh), &Options::default(), &Silent)?;
     for claim in &outcome.claims {
         print!("{} {}; ", claim.claim, claim.verdict);

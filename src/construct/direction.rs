@@ -111,7 +111,7 @@ fn mean(normals: &[[f64; 3]]) -> [f64; 3] {
 
 /// The shortest `x` with `n . x >= 1` for all unit normals, as a direction: an LP-type problem with at most three
 /// tight constraints, solved incrementally.
-fn most_normal(normals: &[[f64; 3]]) -> Option<[f64; 3]> {
+pub(crate) fn most_normal(normals: &[[f64; 3]]) -> Option<[f64; 3]> {
     // The slack only decides which candidate is tried; the proof is exact.
     let fits = |x: &[f64; 3], n: &[f64; 3]| float_dot(x, n) >= 1.0 - 1e-12;
     let mut x = *normals.first()?;

@@ -15,5 +15,5 @@ mod thickness;
 
 pub use gate::BuildError;
 pub use initial::{Initial, InitialOptions, initial};
-pub use optimise::{OptimiseOptions, Optimised, optimise};
+pub use optimise::{OptimiseOptions, Optimised, optimise, optimise_joint};
 pub use sample::{Sample, dent, icosphere, sample};

@@ -46,3 +46,24 @@ pub(crate) fn share(bottom: &[f64; 3], top: &[f64; 3], at: &[f64; 3]) -> f64 {
     let share = float_dot(&p, &d) / float_dot(&d, &d);
     if share.is_nan() { 0.5 } else { share.clamp(0.05, 0.95) }
 }
+
+/// Signed crossings of a segment with the mesh, from behind counted positive. Floats.
+pub(crate) fn count(judge: &Judge<'_>, bottom: &[f64; 3], top: &[f64; 3]) -> i32 {
+    let minus = |p: &[f64; 3], q: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| p[i] - q[i]) };
+    let d = minus(top, bottom);
+    let mut sum = 0;
+    judge.tree.all(&Box3::of([bottom, top]), |f| {
+        let [a, b, c] = judge.corners(f);
+        let (e1, e2) = (minus(b, a), minus(c, a));
+        let p = float_cross(&d, &e2);
+        let volume = float_dot(&e1, &p);
+        let s = minus(bottom, a);
+        let q = float_cross(&s, &e1);
+        let (u, v, t) = (float_dot(&s, &p) / volume, float_dot(&d, &q) / volume, float_dot(&e2, &q) / volume);
+        if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < 1.0 {
+            sum += if volume < 0.0 { 1 } else { -1 };
+        }
+        true
+    });
+    sum
+}

@@ -21,6 +21,8 @@ pub(crate) struct Judge<'a> {
     normals: Vec<[f64; 3]>,
     /// The distortion bound: least cosine between a triangle's normal and the pillars of the tets that it touches.
     least_cosine: f64,
+    /// Another mesh that is to become a section, too.
+    pub(crate) partner: Option<Box<Judge<'a>>>,
 }
 
 /// What a prism is compared by.
@@ -52,7 +54,7 @@ impl<'a> Judge<'a> {
     pub(crate) fn new(mesh: &'a TriMesh, least_cosine: f64) -> Self {
         let normals =
             mesh.faces.iter().map(|f| float_normal(f.map(|v| &mesh.vertices[v as usize]))).collect();
-        Self { mesh, tree: Tree::new(mesh), normals, least_cosine }
+        Self { mesh, tree: Tree::new(mesh), normals, least_cosine, partner: None }
     }
 
     /// The corners of a mesh triangle.
@@ -64,11 +66,75 @@ impl<'a> Judge<'a> {
     /// before?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
         let after = state.prisms(change);
-        after.iter().all(Prism::is_positive)
+        self.joint(state, change, &after)
+            && after.iter().all(Prism::is_positive)
             && self.worst_cosine(&after).is_some_and(|cosine| {
                 cosine >= self.least_cosine
                     || self.worst_cosine(&state.prisms_before(change)).is_some_and(|before| cosine >= before)
             })
+    }
+
+    fn joint(&self, state: &State, change: &Change, after: &[Prism]) -> bool {
+        let Some(partner) = &self.partner else { return true };
+        let now = partner.violation(after);
+        now <= 0.0 || now <= partner.violation(&state.prisms_before(change))
+    }
+
+    /// How far the prisms are from holding this mesh as a section.
+    pub(crate) fn violation(&self, prisms: &[Prism]) -> f64 {
+        prisms.iter().map(|p| self.violation_of(p)).sum()
+    }
+
+    pub(crate) fn violation_of(&self, prism: &Prism) -> f64 {
+        let view = View::new(prism);
+        let mut sum = 0.0;
+        for pillar in prism.pillars {
+            let n = super::cast::count(self, &pillar.bottom, &pillar.top);
+            sum += f64::from((n - 1).abs());
+        }
+        self.tree.all(&Box3::of(prism.points()), |f| {
+            let triangle = self.corners(f);
+            let bounds = Box3::of(triangle);
+            for (s, slab) in Slab::BOTH.into_iter().enumerate() {
+                let facing = self.facing(&view, slab, f, triangle);
+                if facing.iter().any(|c| *c == f64::NEG_INFINITY) {
+                    for (corner, tet) in view.prism.tets(slab) {
+                        if facing[corner] == f64::NEG_INFINITY && bounds.meets(&Box3::of(tet)) {
+                            let met = triangle_tet(triangle, tet);
+                            if met.meets() && !(met == Meeting::Point && at_pinch(view.prism, triangle)) {
+                                let cos = float_dot(&self.normals[f as usize], &view.halves[s][corner]);
+                                sum += 0.1 + (-cos).max(0.0);
+                            }
+                        }
+                    }
+                }
+                if bounds.meets(&view.outside[s]) {
+                    let met = triangle_triangle(triangle, view.prism.outside(slab));
+                    if met.meets() && !(met == Meeting::Point && at_pinch(view.prism, triangle)) {
+                        sum += 1.0;
+                    }
+                }
+            }
+            true
+        });
+        sum
+    }
+
+    /// Normals of triangles near the prisms.
+    pub(crate) fn normals_near(&self, prisms: &[Prism]) -> Vec<[f64; 3]> {
+        let mut out: Vec<u32> = Vec::new();
+        for p in prisms {
+            self.tree.all(&Box3::of(p.points()), |f| {
+                let t = self.corners(f);
+                if [Slab::Bottom, Slab::Top].into_iter().any(|s| p.tets(s).any(|(_, tet)| Box3::of(t).meets(&Box3::of(tet)) && triangle_tet(t, tet).meets())) {
+                    out.push(f);
+                }
+                true
+            });
+        }
+        out.sort_unstable();
+        out.dedup();
+        out.into_iter().map(|f| self.normals[f as usize]).collect()
     }
 
     /// The smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an

@@ -11,6 +11,7 @@ mod flip;
 mod invariants;
 mod limits;
 mod prism;
+mod repair;
 mod schedule;
 mod smooth;
 mod state;
@@ -79,6 +80,17 @@ pub fn optimise(
     options: &OptimiseOptions,
     observer: &dyn Observer,
 ) -> Result<Optimised, BuildError> {
+    optimise_joint(mesh, None, shell, options, observer)
+}
+
+/// With another mesh.
+pub fn optimise_joint(
+    mesh: &TriMesh,
+    partner: Option<&TriMesh>,
+    shell: &Shell,
+    options: &OptimiseOptions,
+    observer: &dyn Observer,
+) -> Result<Optimised, BuildError> {
     mesh::check(mesh)?;
     validate::validate(shell).map_err(CertifyError::from)?;
     let connectivity = Connectivity::new(shell.middle.len(), &shell.faces)?;
@@ -90,6 +102,9 @@ pub fn optimise(
         counts: Counts::default(),
         tried: schedule::Tried::default(),
     };
+    if let Some(partner) = partner {
+        work.judge.partner = Some(Box::new(Judge::new(partner, 0.0)));
+    }
     work.run(options.polish, &mut stop);
     Ok(Optimised { shell: work.state.shell(), counts: work.counts, stopped: stop.stopped() })
 }

@@ -11,6 +11,7 @@ use super::flip::flip;
 use super::invariants::Judge;
 use super::limits::{Limits, distance};
 use super::smooth::{pan, rotate, zoom};
+use super::repair::repair;
 use super::state::State;
 use crate::certify::Observer;
 
@@ -106,11 +107,14 @@ impl Work<'_> {
     /// The outer loop: until a round leaves less than 0.01 % fewer prisms.
     fn coarsen(&mut self, effort: Effort, stop: &mut Stop<'_>) {
         stop.observer.stage("coarsening", None);
+        self.report();
         loop {
             let before = self.state.live;
             self.flips(stop);
+            self.repairs(stop);
             self.smooth(stop);
             self.collapses(effort, stop);
+            self.report();
             self.counts.rounds += 1;
             if stop.stopped() || (before - self.state.live) * 10_000 < before {
                 return;
@@ -125,7 +129,36 @@ impl Work<'_> {
                 return;
             }
             self.flips(stop);
+            self.repairs(stop);
             self.smooth(stop);
+        }
+        self.report();
+    }
+
+    fn report(&self) {
+        let Some(partner) = self.judge.partner.as_deref() else { return };
+        let faces = self.state.faces.iter().filter(|f| **f != super::state::GONE);
+        let all: Vec<f64> = faces.map(|f| partner.violation_of(&self.state.prism(*f, None))).collect();
+        eprintln!(
+            "prisms {} violation {} in {}",
+            self.state.live,
+            all.iter().sum::<f64>(),
+            all.iter().filter(|v| **v > 0.0).count()
+        );
+    }
+
+    fn repairs(&mut self, stop: &mut Stop<'_>) {
+        if self.judge.partner.is_none() {
+            return;
+        }
+        for v in 0..u32::try_from(self.state.pillars.len()).unwrap_or(u32::MAX) {
+            if self.state.star[v as usize].is_empty() || self.state.is_frozen(v) {
+                continue;
+            }
+            if stop.now() {
+                return;
+            }
+            self.counts.moves += u64::from(repair(&mut self.state, &self.judge, &self.limits, v));
         }
     }
 
