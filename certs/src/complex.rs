@@ -32,7 +32,7 @@ pub(crate) fn distinct(ids: impl IntoIterator<Item = usize>) -> Vec<usize> {
 }
 
 /// Classes of `0..n` that the pairs unite: the smallest of its class for each number.
-fn classes(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Vec<usize> {
+pub(crate) fn classes(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Vec<usize> {
     fn find(parent: &mut [usize], mut x: usize) -> usize {
         while parent[x] != x {
             parent[x] = parent[parent[x]];

@@ -82,7 +82,7 @@ fn tokens(text: &[u8]) -> impl Iterator<Item = &[u8]> {
 }
 
 /// An OFF or OBJ file.
-fn mesh(text: &[u8]) -> Result<Mesh, String> {
+pub(crate) fn mesh(text: &[u8]) -> Result<Mesh, String> {
     let first = text.split(|&b| b == b'\n').map(uncomment).find_map(|line| tokens(line).next());
     let mesh = if first.is_some_and(|t| t.starts_with(b"OFF")) { off(text)? } else { obj(text)? };
     validate(&mesh.points, &mesh.triangles)?;

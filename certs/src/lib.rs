@@ -4,6 +4,8 @@
 //! The *trusted core*, which decides whether a claim holds, is `number`, `complex`, `world`, `tets`, `boxes`, `overlay`,
 //! `orders`, `lift` and `separate`: under 900 lines of code (`tests/size.rs` counts them). Around it are the readers: `line`
 //! and `parse` (the grammar), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the two.
+//!
+//! Certificates about meshes without a shell (`MESHES.md`) have a core of their own in `meshes`.
 
 /// The error of a check that does not hold.
 macro_rules! bad {
@@ -21,6 +23,7 @@ mod hdf5;
 mod input;
 mod lift;
 mod line;
+mod meshes;
 mod number;
 mod orders;
 mod overlay;
@@ -133,6 +136,9 @@ fn outcome(result: Res<Vec<(&'static str, bool)>>) -> Outcome {
 }
 
 fn run<'a>(bytes: &[u8], inputs: impl FnOnce() -> Res<Cow<'a, [Vec<u8>]>>) -> Res<Vec<(&'static str, bool)>> {
+    if bytes.starts_with(meshes::MAGIC) {
+        return meshes::run(bytes, inputs);
+    }
     let cert = parse::parse(bytes)?;
     let (shell, mesh) = input::read(&inputs()?, cert.mesh.is_some())?;
     let mesh = mesh.filter(|_| cert.mesh.is_some()).unwrap_or_default();

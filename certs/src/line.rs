@@ -106,7 +106,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    fn id_in(&mut self, text: &str, bound: usize) -> Res<usize> {
+    pub(crate) fn id_in(&mut self, text: &str, bound: usize) -> Res<usize> {
         match text.parse() {
             Ok(id) if is_number(text) && text.len() <= 10 => {
                 if id >= bound {
@@ -116,6 +116,13 @@ impl<'a> Line<'a> {
             }
             _ => self.syntax(),
         }
+    }
+
+    /// A SHA-256 in lower-case hex.
+    pub(crate) fn sha(&mut self) -> Res<String> {
+        let sha = self.next()?;
+        self.require(sha.len() == 64 && sha.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f')))?;
+        Ok(sha.to_owned())
     }
 
     /// An id that must be below `bound`.

@@ -109,33 +109,63 @@ pub(crate) struct Leg {
     pub(crate) steps: Vec<(At, Names4)>,
 }
 
-struct Parser<'a> {
+pub(crate) struct Parser<'a> {
     rest: &'a str,
-    at: usize,
+    /// The number of the last line read.
+    pub(crate) at: usize,
     bounds: Bounds,
 }
 
 /// Reads and judges a certificate file.
 pub(crate) fn parse(bytes: &[u8]) -> Res<Cert> {
-    if bytes.len() > 1 << 30 {
-        return fail(3, "size", "the certificate is larger than 2^30 bytes");
-    }
-    let bad = bytes.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e));
-    let text = match (bad, std::str::from_utf8(bytes)) {
-        (None, Ok(text)) => text,
-        (bad, _) => return malformed("bytes", format!("byte {} is not allowed", bad.unwrap_or(0))),
-    };
-    if text != "end\n" && !text.ends_with("\nend\n") {
-        return malformed("truncated", "the last line is not `end`");
-    }
-    let mut parser = Parser { rest: text, at: 0, bounds: Bounds::default() };
-    if parser.raw() != Some("homeo-certificate 1") {
-        return malformed("magic", "line 1 is not `homeo-certificate 1`");
-    }
-    parser.cert()
+    Parser::open(bytes, "homeo-certificate 1")?.cert()
 }
 
 impl<'a> Parser<'a> {
+    /// A file with this first line, judged as a whole.
+    pub(crate) fn open(bytes: &'a [u8], magic: &str) -> Res<Self> {
+        if bytes.len() > 1 << 30 {
+            return fail(3, "size", "the certificate is larger than 2^30 bytes");
+        }
+        let bad = bytes.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e));
+        let text = match (bad, std::str::from_utf8(bytes)) {
+            (None, Ok(text)) => text,
+            (bad, _) => return malformed("bytes", format!("byte {} is not allowed", bad.unwrap_or(0))),
+        };
+        if text != "end\n" && !text.ends_with("\nend\n") {
+            return malformed("truncated", "the last line is not `end`");
+        }
+        let mut parser = Parser { rest: text, at: 0, bounds: Bounds::default() };
+        if parser.raw() != Some(magic) {
+            return malformed("magic", format!("line 1 is not `{magic}`"));
+        }
+        Ok(parser)
+    }
+
+    /// The `counts` line, which must state these, and the last one.
+    pub(crate) fn finish(&mut self, counts: &[usize]) -> Res {
+        let mut line = self.line("counts")?;
+        let mut stated = Vec::new();
+        while line.more() {
+            stated.push(line.id(usize::MAX)?);
+        }
+        line.finish()?;
+        if stated != counts {
+            return malformed("counts", format!("line {}: the counts are {counts:?}", self.at));
+        }
+        self.line("end")?.finish()?;
+        if self.rest.is_empty() { Ok(()) } else { Line::new("", self.at + 1, self.bounds).syntax() }
+    }
+
+    pub(crate) fn starts_with(&self, text: &str) -> bool {
+        self.rest.starts_with(text)
+    }
+
+    /// The next line, whatever it starts with.
+    pub(crate) fn any_line(&mut self) -> Line<'a> {
+        Line::new(self.raw().unwrap_or(""), self.at, self.bounds)
+    }
+
     fn raw(&mut self) -> Option<&'a str> {
         let (line, rest) = self.rest.split_once('\n')?;
         self.rest = rest;
@@ -144,13 +174,13 @@ impl<'a> Parser<'a> {
     }
 
     /// The next line, which must start with `word`.
-    fn line(&mut self, word: &str) -> Res<Line<'a>> {
-        let mut line = Line::new(self.raw().unwrap_or(""), self.at, self.bounds);
+    pub(crate) fn line(&mut self, word: &str) -> Res<Line<'a>> {
+        let mut line = self.any_line();
         line.expect(word)?;
         Ok(line)
     }
 
-    fn peek(&self, word: &str) -> bool {
+    pub(crate) fn peek(&self, word: &str) -> bool {
         let line = self.rest.split('\n').next().unwrap_or("");
         line.split(' ').next() == Some(word)
     }
@@ -213,26 +243,16 @@ impl<'a> Parser<'a> {
             counts.push(self.at - before);
             cert.owners.push(owner);
         }
-        let mut line = self.line("counts")?;
-        let mut stated = Vec::new();
-        while line.more() {
-            stated.push(line.id(usize::MAX)?);
-        }
-        line.finish()?;
-        if stated != counts {
-            return malformed("counts", format!("line {}: the counts are {counts:?}", self.at));
-        }
-        self.line("end")?.finish()?;
-        if self.rest.is_empty() { Ok(cert) } else { Line::new("", self.at + 1, self.bounds).syntax() }
+        self.finish(&counts)?;
+        Ok(cert)
     }
 
     fn stated(&mut self, word: &str) -> Res<Stated> {
         let mut line = self.line(word)?;
-        let sha = line.next()?;
-        line.require(sha.len() == 64 && sha.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f')))?;
+        let sha = line.sha()?;
         let (vertices, faces) = (line.id(usize::MAX)?, line.id(usize::MAX)?);
         line.finish()?;
-        Ok(Stated { sha: sha.to_owned(), vertices, faces })
+        Ok(Stated { sha, vertices, faces })
     }
 
     fn order(&mut self) -> Res<Option<Vec<usize>>> {
@@ -360,7 +380,7 @@ impl<'a> Parser<'a> {
         } else {
             &["twice", "monodromy"]
         };
-        let mut last = Line::new(self.raw().unwrap_or(""), self.at, self.bounds);
+        let mut last = self.any_line();
         let word = last.next()?;
         let Some(reason) = allowed.iter().find(|r| **r == word) else { return last.syntax() };
         last.finish()?;

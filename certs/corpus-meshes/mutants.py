@@ -1,0 +1,1 @@
+def add_all(corpus): pass
