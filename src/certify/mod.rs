@@ -16,6 +16,7 @@ mod observer;
 mod orders;
 mod pairs;
 mod path;
+pub mod pl;
 mod point;
 pub(crate) mod positivity;
 mod proof;

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::exact::{dot, minus};
+use super::exact::{Vec3, dot, minus};
 use crate::number::dyadic::scale_points;
-use crate::predicate::{Sign, orient2d, orient3d, projection_axis};
+use crate::predicate::{self, Axis, Sign};
 use crate::shell::Name;
 
 /// A named input point.
@@ -46,18 +46,49 @@ impl fmt::Display for PlaneName {
     }
 }
 
+/// A point with exact coordinates, whatever they are.
+pub(crate) trait ExactPoint: Sync {
+    /// As [`predicate::orient3d`].
+    fn orient3d(a: &Self, b: &Self, c: &Self, d: &Self) -> Sign;
+    /// As [`predicate::orient2d`].
+    fn orient2d(a: &Self, b: &Self, c: &Self, drop: Axis) -> Sign;
+    /// As [`predicate::projection_axis`].
+    fn projection_axis(a: &Self, b: &Self, c: &Self) -> Option<Axis>;
+    /// The points times one positive number that makes all coordinates integers.
+    fn integers(points: &[&Self]) -> Vec<Vec3>;
+}
+
+impl ExactPoint for [f64; 3] {
+    fn orient3d(a: &Self, b: &Self, c: &Self, d: &Self) -> Sign {
+        predicate::orient3d(a, b, c, d)
+    }
+
+    fn orient2d(a: &Self, b: &Self, c: &Self, drop: Axis) -> Sign {
+        predicate::orient2d(a, b, c, drop)
+    }
+
+    fn projection_axis(a: &Self, b: &Self, c: &Self) -> Option<Axis> {
+        predicate::projection_axis(a, b, c)
+    }
+
+    fn integers(points: &[&Self]) -> Vec<Vec3> {
+        let points: Vec<Self> = points.iter().map(|p| **p).collect();
+        scale_points(&points).0
+    }
+}
+
 /// A point of one of the two sets.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Named<'a> {
+pub(crate) struct Named<'a, P = [f64; 3]> {
     pub(crate) name: PointName,
-    pub(crate) at: &'a [f64; 3],
+    pub(crate) at: &'a P,
 }
 
 /// Two point sets and what they may share.
 #[derive(Debug)]
-pub(crate) struct Pair<'a> {
+pub(crate) struct Pair<'a, P = [f64; 3]> {
     /// All points: the first `split` are `A`, the others `B`. `A`'s first three are the mesh triangle.
-    pub(crate) points: Vec<Named<'a>>,
+    pub(crate) points: Vec<Named<'a, P>>,
     pub(crate) split: usize,
     /// Per point: does it count as common?
     pub(crate) common: Vec<bool>,
@@ -68,7 +99,7 @@ pub(crate) struct Pair<'a> {
 /// Indices of points that all planes so far have gone through.
 type Remainder = Vec<usize>;
 
-impl Pair<'_> {
+impl<P: ExactPoint> Pair<'_, P> {
     fn is_harmless(&self, remainder: &[usize]) -> bool {
         let side = |in_a: bool| -> Vec<usize> {
             remainder.iter().copied().filter(|&i| (i < self.split) == in_a).collect()
@@ -106,7 +137,7 @@ impl Pair<'_> {
         let at = |i: usize| self.points[i].at;
         let spans = [p, q, r];
         self.pass(remainder, |i| {
-            if spans.contains(&i) { Sign::Zero } else { orient3d(at(p), at(q), at(r), at(i)) }
+            if spans.contains(&i) { Sign::Zero } else { P::orient3d(at(p), at(q), at(r), at(i)) }
         })
     }
 
@@ -184,7 +215,7 @@ impl Pair<'_> {
     /// Do the points lie in the mesh triangle's plane?
     fn is_flat(&self, remainder: &[usize]) -> bool {
         let at = |i: usize| self.points[i].at;
-        remainder.iter().all(|&i| i < 3 || orient3d(at(0), at(1), at(2), at(i)).is_zero())
+        remainder.iter().all(|&i| i < 3 || P::orient3d(at(0), at(1), at(2), at(i)).is_zero())
     }
 
     /// Planes through two of the remaining points, all in the mesh triangle's plane, and perpendicular to it.
@@ -192,7 +223,7 @@ impl Pair<'_> {
         let at = |i: usize| self.points[i].at;
         // Within the plane the value's sign is the orientation of the points dropped along an axis, up to one sign
         // that is the same for all of them and does not matter here.
-        let axis = projection_axis(at(0), at(1), at(2));
+        let axis = P::projection_axis(at(0), at(1), at(2));
         let pairs = remainder
             .iter()
             .flat_map(move |&p| remainder.iter().map(move |&q| [p, q]))
@@ -200,7 +231,7 @@ impl Pair<'_> {
         pairs.filter_map(move |[p, q]| {
             let left = self.pass(remainder, |i| match axis {
                 Some(axis) if i != p && i != q => {
-                    orient2d(self.points[p].at, self.points[q].at, self.points[i].at, axis)
+                    P::orient2d(self.points[p].at, self.points[q].at, self.points[i].at, axis)
                 }
                 _ => Sign::Zero,
             })?;
@@ -210,8 +241,7 @@ impl Pair<'_> {
 
     /// Planes through one of the remaining points, perpendicular to the line to another point.
     fn normals<'s>(&'s self, remainder: &'s [usize]) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
-        let coordinates: Vec<[f64; 3]> = self.points.iter().map(|p| *p.at).collect();
-        let (x, _) = scale_points(&coordinates);
+        let x = P::integers(&self.points.iter().map(|p| p.at).collect::<Vec<_>>());
         let ends = remainder.iter().flat_map(move |&p| (0..self.points.len()).map(move |q| [p, q]));
         ends.filter(|[p, q]| p != q).filter_map(move |[p, q]| {
             let along = minus(&x[q], &x[p]);

@@ -2,7 +2,7 @@
 
 use crate::certify::CertifyError;
 use crate::construct::BuildError;
-use crate::mesh::MeshError;
+use crate::mesh::{MeshError, UvError};
 use crate::shell::hdf5;
 use crate::shell::three::ThreeError;
 use crate::shell::validate::ShellError;
@@ -95,6 +95,35 @@ pub enum CliError {
         files: String,
         /// The reason.
         source: CertifyError,
+    },
+    /// No verdict about two position sets.
+    #[error("{files}: {source}")]
+    Map {
+        /// The input files.
+        files: String,
+        /// The reason.
+        source: crate::certify::pl::PlError,
+    },
+    /// Texture coordinates that are no positions of the surface's vertices.
+    #[error("{file}: {source}; --cut audits the surface cut open there")]
+    Uv {
+        /// The file.
+        file: String,
+        /// The reason.
+        source: UvError,
+    },
+    /// A correspondence of vertices that is no map.
+    #[error(
+        "{file}: not a map: {count} triangles of B (first: {first}) have their places in no closed triangle of A together, so \
+         it is not said how they run"
+    )]
+    NotAMap {
+        /// The file.
+        file: String,
+        /// How many triangles.
+        count: usize,
+        /// The first of them.
+        first: u32,
     },
     /// The user pressed Ctrl-C.
     #[error("interrupted; nothing was written")]

@@ -9,12 +9,13 @@ use serde::Serialize;
 use super::CliError;
 use super::inspect::box_words;
 use super::output::{self, Json, one_line};
-use crate::mesh::{self, Defect, Format, MeshInfo};
+use super::tet_info;
+use crate::mesh::{self, Cells, Defect, Format, MeshInfo, Positions, TriMesh};
 
 /// Arguments of `homeo mesh-info`.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The mesh (OBJ, OFF, PLY, STL)
+    /// The mesh (OBJ, OFF, PLY, STL, VTK, MEDIT, Gmsh, GIFTI, OpenVolumeMesh); tet meshes, too
     mesh: Option<PathBuf>,
     /// JSON to a file, or in place of the words to standard output
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
@@ -39,8 +40,15 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     if let Some(file) = json.file() {
         output::may_write(file, &[&path])?;
     }
-    let read = mesh::read(&path)?;
-    let found = mesh::validate(&read.mesh)?;
+    let read = mesh::read_complex(&path)?;
+    let mesh = match (read.complex.cells, read.complex.positions) {
+        (Cells::Triangles(faces), Positions::Float(vertices)) => TriMesh { vertices, faces },
+        (cells, positions) => {
+            let complex = mesh::Complex { cells, positions, ..read.complex };
+            return tet_info::run(&path, mesh::ComplexFile { complex, ..read }, &json);
+        }
+    };
+    let found = mesh::validate(&mesh)?;
     let report = Report {
         file: path.display().to_string(),
         format: read.format,

@@ -14,10 +14,13 @@ mod demo;
 mod error;
 mod input;
 mod inspect;
+mod map;
+mod map_input;
 mod mesh_info;
 mod output;
 mod progress;
 mod project;
+mod tet_info;
 
 use std::process::ExitCode;
 
@@ -49,6 +52,8 @@ enum Command {
     Inspect(inspect::Args),
     /// Convert meshes and shells between file formats
     Convert(convert::Args),
+    /// Decide whether two position sets of one complex give a homeomorphism: tets, surfaces, UV maps
+    Map(map::Args),
     /// Facts about a mesh, and its defects
     MeshInfo(mesh_info::Args),
 }
@@ -72,6 +77,7 @@ pub fn main() -> ExitCode {
         Command::Check(args) => check::run(&args),
         Command::Project(args) => project::run(args),
         Command::Inspect(args) => inspect::run(args),
+        Command::Map(args) => map::run(&args),
         Command::MeshInfo(args) => mesh_info::run(args),
     };
     done.unwrap_or_else(|error| {

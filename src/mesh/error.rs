@@ -79,7 +79,9 @@ pub enum Fault {
     #[error("not a regular file")]
     NotAFile,
     /// Neither content nor name tells the format.
-    #[error("format not recognised (OFF, OBJ, PLY and STL are read)")]
+    #[error(
+        "format not recognised (OFF, OBJ, PLY, STL, VTK, MEDIT, Gmsh, GIFTI and OpenVolumeMesh are read)"
+    )]
     UnknownFormat,
     /// Something else stands where this was needed.
     #[error("expected {expected}, found {found}")]

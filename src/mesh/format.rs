@@ -1,11 +1,15 @@
 //! Which format a file has, and reading it.
 
+use super::complex::{Complex, ComplexFile};
 use super::error::{Fault, Located, MeshError};
+use super::parts::Parts;
 use super::text::{Lines, tokens};
-use super::{TriMesh, obj, off, ply, stl};
+use super::{TriMesh, gifti, gmsh, medit, obj, off, ovm, ply, stl, vtk};
+use flate2::read::MultiGzDecoder;
 use serde::Serialize;
 use std::ffi::OsStr;
 use std::fmt;
+use std::io::Read as _;
 use std::path::Path;
 
 /// A mesh file format.
@@ -26,10 +30,20 @@ pub enum Format {
     StlAscii,
     /// STL, binary: coordinates are `f32`.
     StlBinary,
+    /// VTK legacy, text or binary: surfaces and tet meshes.
+    Vtk,
+    /// MEDIT `.mesh`, text: surfaces and tet meshes.
+    Medit,
+    /// Gmsh 2.x or 4.1, text or binary: surfaces and tet meshes.
+    Gmsh,
+    /// GIFTI surfaces.
+    Gifti,
+    /// OpenVolumeMesh, text: tet meshes.
+    Ovm,
 }
 
 impl Format {
-    /// All formats.
+    /// The formats that are read and written.
     pub const ALL: [Self; 7] = [
         Self::Obj,
         Self::Off,
@@ -40,6 +54,9 @@ impl Format {
         Self::StlBinary,
     ];
 
+    /// The formats that are only read.
+    pub const READ_ONLY: [Self; 5] = [Self::Vtk, Self::Medit, Self::Gmsh, Self::Gifti, Self::Ovm];
+
     /// The format to write to a file of this name; binary where both exist.
     #[must_use]
     pub fn from_extension(path: &Path) -> Option<Self> {
@@ -49,6 +66,12 @@ impl Format {
             "off" | "coff" | "noff" | "cnoff" => Some(Self::Off),
             "ply" => Some(Self::PlyBinaryLe),
             "stl" => Some(Self::StlBinary),
+            "vtk" => Some(Self::Vtk),
+            "mesh" => Some(Self::Medit),
+            "msh" => Some(Self::Gmsh),
+            "gii" => Some(Self::Gifti),
+            "ovm" => Some(Self::Ovm),
+            "gz" => Self::from_extension(Path::new(path.file_stem()?)),
             _ => None,
         }
     }
@@ -56,16 +79,28 @@ impl Format {
     /// The format that the content shows, if it does; OBJ has no mark.
     #[must_use]
     pub fn from_content(bytes: &[u8]) -> Option<Self> {
+        if vtk::is_magic(bytes) {
+            return Some(Self::Vtk);
+        }
         if stl::is_binary(bytes) {
             return Some(Self::StlBinary);
+        }
+        if gifti::is_magic(strip_bom(bytes)) {
+            return Some(Self::Gifti);
         }
         if let Some(format) = ply::detect(bytes) {
             return Some(format);
         }
         let (_, line) = Lines::new(strip_bom(bytes)).next_content()?;
         let first = tokens(line).next()?;
-        if off::is_magic(first) {
-            return Some(Self::Off);
+        let marks: [(fn(&[u8]) -> bool, Self); 4] = [
+            (off::is_magic, Self::Off),
+            (medit::is_magic, Self::Medit),
+            (gmsh::is_magic, Self::Gmsh),
+            (ovm::is_magic, Self::Ovm),
+        ];
+        if let Some((_, format)) = marks.iter().find(|(is_magic, _)| is_magic(first)) {
+            return Some(*format);
         }
         first.eq_ignore_ascii_case(b"solid").then_some(Self::StlAscii)
     }
@@ -81,6 +116,11 @@ impl fmt::Display for Format {
             Self::PlyBinaryBe => "PLY (binary, big endian)",
             Self::StlAscii => "STL (ASCII)",
             Self::StlBinary => "STL (binary)",
+            Self::Vtk => "VTK",
+            Self::Medit => "MEDIT",
+            Self::Gmsh => "Gmsh",
+            Self::Gifti => "GIFTI",
+            Self::Ovm => "OpenVolumeMesh",
         })
     }
 }
@@ -96,19 +136,34 @@ pub struct MeshFile {
     pub notes: Vec<String>,
 }
 
-/// Reads a mesh; the format is taken from the content (OFF and PLY headers, the exact size of a
-/// binary STL, `solid`), else from the file name's extension (OBJ).
+/// Reads a surface; the format is taken from the content (headers and first words, the exact size of a
+/// binary STL, `solid`), else from the file name's extension (OBJ). Files compressed with gzip are unpacked.
 ///
 /// # Errors
 /// [`MeshError::Read`] with file, place and reason.
 pub fn read(path: &Path) -> Result<MeshFile, MeshError> {
     let name = path.to_string_lossy();
-    let bytes = load(path).map_err(|fault| Located::from(fault).reading(&name))?;
-    let format = Format::from_content(&bytes).or_else(|| Format::from_extension(path));
-    match format {
-        Some(format) => parse(&bytes, format, &name),
-        None if strip_bom(&bytes).trim_ascii().is_empty() => Err(Located::from(Fault::Empty).reading(&name)),
-        None => Err(Located::from(Fault::UnknownFormat).reading(&name)),
+    let (bytes, format) = open(path).map_err(|located| located.reading(&name))?;
+    parse(&bytes, format, &name)
+}
+
+/// Reads a surface or a tet mesh, as [`read`] does. Where a file has tets, the triangles are left out.
+///
+/// # Errors
+/// [`MeshError::Read`] with file, place and reason.
+pub fn read_complex(path: &Path) -> Result<ComplexFile, MeshError> {
+    let name = path.to_string_lossy();
+    let (bytes, format) = open(path).map_err(|located| located.reading(&name))?;
+    parse_complex(&bytes, format, &name)
+}
+
+/// The content of a file, and its format.
+fn open(path: &Path) -> Result<(Vec<u8>, Format), Located> {
+    let bytes = load(path)?;
+    match Format::from_content(&bytes).or_else(|| Format::from_extension(path)) {
+        Some(format) => Ok((bytes, format)),
+        None if strip_bom(&bytes).trim_ascii().is_empty() => Err(Fault::Empty.into()),
+        None => Err(Fault::UnknownFormat.into()),
     }
 }
 
@@ -132,11 +187,45 @@ pub fn parse(bytes: &[u8], format: Format, name: &str) -> Result<MeshFile, MeshE
     parse_located(bytes, format).map_err(|located| located.reading(name))
 }
 
-fn parse_located(bytes: &[u8], format: Format) -> Result<MeshFile, Located> {
+/// Reads a surface or a tet mesh from bytes, as [`parse`] does.
+///
+/// # Errors
+/// [`MeshError::Read`] with file, place and reason.
+pub fn parse_complex(bytes: &[u8], format: Format, name: &str) -> Result<ComplexFile, MeshError> {
+    let read = || -> Result<ComplexFile, Located> {
+        let Some(parts) = parse_parts(bytes, format)? else {
+            let MeshFile { mesh, format, notes } = parse_located(bytes, format)?;
+            return Ok(ComplexFile { complex: Complex::from(mesh), exact: Vec::new(), format, notes });
+        };
+        let (complex, exact, notes) = parts.complex(&format.to_string())?;
+        Ok(ComplexFile { complex, exact, format, notes })
+    };
+    read().map_err(|located| located.reading(name))
+}
+
+/// The content of a file in a format for cells of several dimensions; `None` for the others.
+fn parse_parts(bytes: &[u8], format: Format) -> Result<Option<Parts>, Located> {
     let text = strip_bom(bytes);
     if text.trim_ascii().is_empty() {
         return Err(Fault::Empty.into());
     }
+    let parts = match format {
+        Format::Vtk => vtk::parse(bytes)?,
+        Format::Medit => medit::parse(text)?,
+        Format::Gmsh => gmsh::parse(text)?,
+        Format::Gifti => gifti::parse(text)?,
+        Format::Ovm => ovm::parse(text)?,
+        _ => return Ok(None),
+    };
+    Ok(Some(parts))
+}
+
+fn parse_located(bytes: &[u8], format: Format) -> Result<MeshFile, Located> {
+    if let Some(parts) = parse_parts(bytes, format)? {
+        let (mesh, notes) = parts.surface(&format.to_string())?;
+        return Ok(MeshFile { mesh, format, notes });
+    }
+    let text = strip_bom(bytes);
     let (format, (mesh, notes)) = match format {
         Format::Obj => (format, obj::parse(text)?),
         Format::Off => (format, off::parse(text)?),
@@ -150,18 +239,33 @@ fn parse_located(bytes: &[u8], format: Format) -> Result<MeshFile, Located> {
         {
             (Format::StlAscii, stl::parse_ascii(text)?)
         }
-        Format::StlBinary => (format, stl::parse_binary(bytes)?),
+        _ => (format, stl::parse_binary(bytes)?),
     };
     Ok(MeshFile { mesh, format, notes })
 }
 
-/// The whole of a regular file. Devices and pipes are refused: they need not end.
-fn load(path: &Path) -> Result<Vec<u8>, Fault> {
+/// Most bytes that a compressed file may unpack to.
+const MOST: u64 = 1 << 32;
+
+/// The whole of a regular file, unpacked if it is compressed with gzip. Devices and pipes are refused: they need
+/// not end.
+pub(super) fn load(path: &Path) -> Result<Vec<u8>, Fault> {
     let io = |e: std::io::Error| Fault::Io(e.to_string());
     if !std::fs::metadata(path).map_err(io)?.is_file() {
         return Err(Fault::NotAFile);
     }
-    std::fs::read(path).map_err(io)
+    let bytes = std::fs::read(path).map_err(io)?;
+    if bytes.starts_with(b"\x1f\x8b") { unpack(&bytes) } else { Ok(bytes) }
+}
+
+fn unpack(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
+    let mut out = Vec::new();
+    let read = MultiGzDecoder::new(bytes).take(MOST + 1).read_to_end(&mut out);
+    read.map_err(|e| Fault::BadHeader(format!("gzip: {e}")))?;
+    if out.len() as u64 > MOST {
+        return Err(Fault::Unsupported("a compressed file of more than 4 GiB".to_owned()));
+    }
+    Ok(out)
 }
 
 /// Without a UTF-8 byte order mark.

@@ -1,4 +1,4 @@
-//! Triangle meshes: connectivity apart from coordinates, readers and writers, validation.
+//! Triangle and tet meshes: connectivity apart from coordinates, readers and writers, validation.
 //!
 //! Readers keep what certificates name: the order of vertices and faces, and every bit of every
 //! coordinate (decimal text is rounded once, to the nearest `f64`). That is why the OBJ reader is
@@ -9,24 +9,39 @@
 //! an oriented manifold without flat triangles is the question of [`validate`] and [`check`].
 
 mod area;
+mod complex;
 pub mod connectivity;
+mod correspondence;
 mod error;
 mod format;
+mod gifti;
+mod gmsh;
+mod medit;
 mod obj;
 mod off;
+mod ovm;
+mod parts;
 mod ply;
+mod rational;
+mod scan;
 mod stl;
 mod text;
+mod uv;
 mod validate;
+mod vtk;
 mod write;
 
 #[cfg(test)]
 mod tests;
 
 pub use area::is_zero_area;
+pub use complex::{Cells, Complex, ComplexFile, Positions, Space, TetMesh};
 pub use connectivity::Connectivity;
+pub use correspondence::{Place as SurfacePoint, read_correspondence};
 pub use error::{Fault, MeshError, Place};
-pub use format::{Format, MeshFile, parse, read, read_as};
+pub use format::{Format, MeshFile, parse, parse_complex, read, read_as, read_complex};
+pub use rational::read_rational;
+pub use uv::{UvError, UvMesh, read_uv};
 pub use validate::{Defect, DefectKind, LISTED, MeshInfo, Report, ValidMesh, check, mesh_info, validate};
 pub use write::{encode, write};
 

@@ -2,7 +2,10 @@
 
 use super::TriMesh;
 use super::error::{Fault, Located};
-use super::text::{Builder, Lines, before_comment, coordinates, integer, quote, tokens};
+use super::text::{
+    Builder, Lines, before_comment, coordinate, coordinates, integer, quote, quote_or_end, tokens,
+};
+use super::uv::UvMesh;
 use std::borrow::Cow;
 
 /// Statements that say nothing about where the surface is.
@@ -45,12 +48,62 @@ struct Forward {
 
 /// Parses a file. Columns after the coordinates (weight, colour) are ignored and noted.
 pub(super) fn parse(bytes: &[u8]) -> Result<(TriMesh, Vec<String>), Located> {
-    let mut reader = Reader::default();
-    let mut lines = Lines::new(bytes);
-    while let Some((number, line)) = next_logical(&mut lines) {
-        reader.statement(number, before_comment(&line)).map_err(|f| f.at_line(number))?;
+    Reader::default().read(bytes)?.finish()
+}
+
+/// Parses a file with a texture coordinate at every corner.
+pub(super) fn parse_uv(bytes: &[u8]) -> Result<UvMesh, Located> {
+    let mut reader = Reader { texture: Some(Texture::default()), ..Reader::default() }.read(bytes)?;
+    let Texture { uv, builder, forward, .. } = reader.texture.take().unwrap_or_default();
+    let known = u64::try_from(uv.len()).unwrap_or(u64::MAX);
+    if let Some(f) = forward.iter().find(|f| f.index >= known) {
+        return Err(no_texture(f.written, known).at_line(f.line));
     }
-    reader.finish()
+    let (mesh, notes) = reader.finish()?;
+    Ok(UvMesh { mesh, uv, uv_faces: builder.mesh.faces, notes })
+}
+
+fn no_texture(written: i64, known: u64) -> Fault {
+    Fault::expected(format!("one of {known} texture coordinates"), written.to_string())
+}
+
+/// Texture coordinates, where they are wanted.
+#[derive(Default)]
+struct Texture {
+    uv: Vec<[f64; 2]>,
+    /// Collects triangles as the other builder does, of indices into `uv`.
+    builder: Builder,
+    corners: Vec<u32>,
+    forward: Vec<Forward>,
+}
+
+impl Texture {
+    fn coordinate<'t>(&mut self, mut words: impl Iterator<Item = &'t [u8]>) -> Result<(), Fault> {
+        let mut uv = [0.0; 2];
+        for x in &mut uv {
+            let word = words.next();
+            *x = coordinate(word.ok_or_else(|| Fault::expected("u and v", quote_or_end(None)))?, "u and v")?;
+        }
+        self.uv.push(uv);
+        Ok(())
+    }
+
+    fn corner(&mut self, line: usize, word: &[u8]) -> Result<(), Fault> {
+        let bad = || Fault::expected("a face corner with a texture coordinate", quote(word));
+        let written: i64 = integer(word.split(|&b| b == b'/').nth(1), "").map_err(|_| bad())?;
+        let known = u64::try_from(self.uv.len()).unwrap_or(u64::MAX);
+        let index = if written > 0 {
+            written.unsigned_abs().checked_sub(1)
+        } else {
+            known.checked_sub(written.unsigned_abs()).filter(|_| written < 0)
+        };
+        let index = index.ok_or_else(|| no_texture(written, known))?;
+        if index >= known {
+            self.forward.push(Forward { line, written, index });
+        }
+        self.corners.push(u32::try_from(index).map_err(|_| no_texture(written, known))?);
+        Ok(())
+    }
 }
 
 /// The next line, joined with those after it while it ends in a backslash. A comment is not
@@ -85,9 +138,18 @@ struct Reader {
     corners: Vec<u32>,
     forward: Vec<Forward>,
     lines_and_points: u64,
+    texture: Option<Texture>,
 }
 
 impl Reader {
+    fn read(mut self, bytes: &[u8]) -> Result<Self, Located> {
+        let mut lines = Lines::new(bytes);
+        while let Some((number, line)) = next_logical(&mut lines) {
+            self.statement(number, before_comment(&line)).map_err(|f| f.at_line(number))?;
+        }
+        Ok(self)
+    }
+
     fn statement(&mut self, number: usize, line: &[u8]) -> Result<(), Fault> {
         let mut words = tokens(line);
         let Some(keyword) = words.next() else {
@@ -105,8 +167,17 @@ impl Reader {
                 for word in words {
                     let corner = self.corner(number, word)?;
                     self.corners.push(corner);
+                    if let Some(texture) = &mut self.texture {
+                        texture.corner(number, word)?;
+                    }
                 }
                 self.builder.polygon(&self.corners)?;
+                if let Some(texture) = &mut self.texture {
+                    texture.builder.polygon(&std::mem::take(&mut texture.corners))?;
+                }
+            }
+            b"vt" if self.texture.is_some() => {
+                self.texture.iter_mut().try_for_each(|t| t.coordinate(&mut words))?;
             }
             b"l" | b"p" => self.lines_and_points += 1,
             other => match std::str::from_utf8(other) {

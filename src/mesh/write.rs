@@ -39,6 +39,7 @@ pub fn encode(mesh: &TriMesh, format: Format, name: &str) -> Result<Vec<u8>, Mes
         Format::PlyBinaryBe => Ok(ply_binary(mesh, true)),
         Format::StlAscii => stl_ascii(mesh),
         Format::StlBinary => stl_binary(mesh),
+        other => Err(Fault::Unsupported(format!("writing {other}")).into()),
     });
     encoded.map_err(|located| located.writing(name))
 }
