@@ -32,7 +32,7 @@ mod words;
 mod tests;
 
 pub use cage::cage;
-pub use documents::Document;
+pub use documents::{Document, canonical};
 pub use error::AuditError;
 pub use options::{AuditOptions, Try};
 pub use report::{AuditReport, AuditVerdict};

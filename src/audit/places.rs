@@ -96,10 +96,11 @@ impl Places<'_> {
             prism: None,
             tet: None,
             point: ExactPoint::new(&place.weights, self.cx.mesh.points(place.face)),
+            middle: None,
             other: None,
             value: None,
             share: Some(share),
-            text: format!("{:.1} % of the triangle's area is in no tet; the point is", 100.0 * share),
+            text: format!("{:.1} % of the triangle's area is in no tet, nor is the point", 100.0 * share),
         }
     }
 
@@ -120,6 +121,7 @@ impl Places<'_> {
             prism: Some(tet.prism),
             tet: Some(names(&tet.sorted_names())),
             point: ExactPoint::new(&failure.weights, self.cx.mesh.points(failure.face)),
+            middle: None,
             other: None,
             value: failure.value.as_ref().map(exact),
             share: None,
@@ -145,6 +147,7 @@ impl Places<'_> {
             prism: Some(place.prism),
             tet: None,
             point: ExactPoint::new(&place.weights, self.middle(place.prism)),
+            middle: None,
             other: None,
             value: None,
             share: Some(share),
@@ -163,6 +166,7 @@ impl Places<'_> {
             prism: Some(place.prism),
             tet: None,
             point,
+            middle: Some(ExactPoint::new(&place.weights, self.middle(place.prism))),
             other: Some(at(1)),
             value: None,
             share: None,

@@ -236,6 +236,8 @@ pub struct Violation {
     pub tet: Option<String>,
     /// The point on the triangle; of [`ViolationKind::NotCovered`]: on the prism's middle triangle.
     pub point: ExactPoint,
+    /// Of [`ViolationKind::CoveredTwice`]: the point of the prism's middle triangle that both points are projected to.
+    pub middle: Option<ExactPoint>,
     /// Of [`ViolationKind::CoveredTwice`]: the other triangle, and its point.
     pub other: Option<(u32, ExactPoint)>,
     /// Of [`ViolationKind::Fold`]: `n . V`, exactly (`mantissa*2^exponent`), and rounded (`null` beyond `f64`).
