@@ -104,7 +104,8 @@ fn a_batch_killed_at_every_line_loses_and_doubles_none() {
         manifest += &format!("[[cage]]\nmesh = 'mesh.off'\ncage = 'cage{i}.off'\n");
     }
     // The same content again, and a file that is not there.
-    manifest += "[[cage]]\nmesh = 'mesh.off'\ncage = 'cage0.off'\n[[cage]]\nmesh = 'mesh.off'\ncage = 'none.off'\n";
+    manifest +=
+        "[[cage]]\nmesh = 'mesh.off'\ncage = 'cage0.off'\n[[cage]]\nmesh = 'mesh.off'\ncage = 'none.off'\n";
     std::fs::write(at.join("many.toml"), manifest).unwrap();
     let results = at.join("out/results.jsonl");
     let arguments = ["audit", "--manifest", "many.toml", "--out", "out", "--jobs", "2", "--resume", "-q"];

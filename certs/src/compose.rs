@@ -24,7 +24,11 @@ fn fits(a: &Cert, b: &Cert) -> Res {
     ensure!(a.shell.sha == b.shell.sha, "shells", "the certificates are about different shells");
     ensure!(a.order == b.order, "orders", "the certificates are about different vertex orders");
     for (name, cert) in [("A", a), ("B", b)] {
-        ensure!(cert.claims.contains(&("bijection", true)), "not-certified", "{name}: `bijection` is not certified");
+        ensure!(
+            cert.claims.contains(&("bijection", true)),
+            "not-certified",
+            "{name}: `bijection` is not certified"
+        );
     }
     Ok(())
 }

@@ -48,6 +48,9 @@ impl Pair<'_> {
         };
         let seconds = start.elapsed().as_secs_f64();
         match built {
+            Ok(shell) if shell.faces.is_empty() => {
+                Ok(Attempt::without_shell(which, "the shell has no prism", seconds))
+            }
             Ok(shell) => self.judge(number, which, &shell, seconds, observer),
             Err(BuildError::Certify(CertifyError::Cancelled)) => Err(CertifyError::Cancelled.into()),
             Err(error) => Ok(Attempt::without_shell(which, &error.to_string(), seconds)),
@@ -106,7 +109,8 @@ impl Pair<'_> {
         out.report.shell = Some(shell_file.file.clone());
         for (i, outcome) in outcomes.iter().enumerate() {
             let letter = ["a", "b"][i.min(1)];
-            let name = if stem == "shell" { format!("{letter}.cert") } else { format!("{stem}.{letter}.cert") };
+            let name =
+                if stem == "shell" { format!("{letter}.cert") } else { format!("{stem}.{letter}.cert") };
             let refuted = outcome.claims.iter().flat_map(|c| &c.refutations).next();
             let says = match refuted {
                 None => "is a section of the shell, and bijective to its middle surface".to_owned(),
@@ -148,11 +152,7 @@ impl Attempt {
 }
 
 /// C2 and C4 in the order by id.
-fn sections(
-    shell: &Shell,
-    subject: &Subject<'_>,
-    observer: &dyn Observer,
-) -> Result<Outcome, CertifyError> {
+fn sections(shell: &Shell, subject: &Subject<'_>, observer: &dyn Observer) -> Result<Outcome, CertifyError> {
     let options = Options { claims: vec![Claim::Bijection], ..Options::default() };
     certify(shell, Some(subject.mesh), &options, observer)
 }

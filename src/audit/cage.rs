@@ -95,7 +95,8 @@ impl CageReport {
     #[must_use]
     pub fn words(&self) -> String {
         let [mesh, cage] = &self.files;
-        let mut out = format!("Mesh {mesh} ({} triangles), cage {cage} ({}).\n", self.triangles[0], self.triangles[1]);
+        let mut out =
+            format!("Mesh {mesh} ({} triangles), cage {cage} ({}).\n", self.triangles[0], self.triangles[1]);
         for [sentence, _] in self.reasons.iter().take(4) {
             out += &format!("    {sentence}\n");
         }
@@ -104,7 +105,9 @@ impl CageReport {
         }
         let topology = match self.topology.as_str() {
             "refuted" => " The cage has handles that the mesh lacks: condition (ii) of Nested Cages fails.",
-            "not decided" => " Condition (ii) of Nested Cages is not refuted by counting handles, and not decided.",
+            "not decided" => {
+                " Condition (ii) of Nested Cages is not refuted by counting handles, and not decided."
+            }
             _ => "",
         };
         out + &format!("VERDICT  {}.{topology}\n", self.verdict)

@@ -27,7 +27,9 @@ pub enum AuditError {
     #[error("a shell could not be encoded: {0}")]
     Encode(#[from] hdf5::WriteError),
     /// The independent checker does not accept what was written. Never a verdict.
-    #[error("internal contradiction, please report it with the input: about {document} the independent checker says `{answer}`")]
+    #[error(
+        "internal contradiction, please report it with the input: about {document} the independent checker says `{answer}`"
+    )]
     Disagreement {
         /// The document.
         document: String,

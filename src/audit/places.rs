@@ -112,9 +112,8 @@ impl Places<'_> {
             Ending::Boundary => (ViolationKind::Boundary, "on the mesh's boundary, but not on the shell's"),
             _ => (ViolationKind::Outside, "on the shell's bottom or top"),
         };
-        let exact = |v: &(dashu_int::IBig, i32)| {
-            (value(v), Some(rounded_dyadic(v)).filter(|x| x.is_finite()))
-        };
+        let exact =
+            |v: &(dashu_int::IBig, i32)| (value(v), Some(rounded_dyadic(v)).filter(|x| x.is_finite()));
         Violation {
             kind,
             triangle: Some(failure.face),

@@ -42,7 +42,10 @@ fn places(violation: &Violation, mesh: &Connectivity, middle: &Connectivity) -> 
         (Some(triangle), _) => {
             let others = violation.other.as_ref().map(|(f, _)| *f);
             let faces = std::iter::once(triangle).chain(others);
-            faces.flat_map(|f| (0..3).map(move |i| Side::new(f, i))).map(|c| Place::Vertex(mesh.vertex(c))).collect()
+            faces
+                .flat_map(|f| (0..3).map(move |i| Side::new(f, i)))
+                .map(|c| Place::Vertex(mesh.vertex(c)))
+                .collect()
         }
         (None, Some(prism)) => (0..3)
             .map(|i| {

@@ -58,7 +58,8 @@ fn a_finer_and_a_coarser_sphere_are_bijective() {
         let out = run(a, b, None);
         assert_eq!(out.report.verdict, AuditVerdict::Bijective, "{}", words(&out.report));
         let files: Vec<&str> = out.documents.iter().map(|d| d.file.as_str()).collect();
-        assert_eq!(files, ["a.off", "b.off", "same-topology.cert", "shell.h5", "a.cert", "b.cert"]);
+        assert_eq!(files[..3], ["a.off", "b.off", "same-topology.cert"]);
+        assert_eq!(files[files.len() - 3..], ["shell.h5", "a.cert", "b.cert"]);
     }
 }
 
@@ -77,12 +78,7 @@ fn compose_refuses_other_shells_orders_and_refutations() {
     let find = |name: &str| &other.documents.iter().find(|d| d.file == name).unwrap().bytes[..];
     assert_eq!(code([a, find("b.cert")], shell, meshes), "hash");
     // Another order on the same shell.
-    let read = |bytes: &[u8]| {
-        let file = tempfile::NamedTempFile::new().unwrap();
-        std::fs::write(file.path(), bytes).unwrap();
-        crate::shell::hdf5::read(file.path()).unwrap().shell
-    };
-    let in_memory = read(find("shell.h5"));
+    let in_memory = radial(1);
     let n = in_memory.middle.len() as u32;
     let options = crate::certify::Options {
         claims: vec![crate::certify::Claim::Bijection],
@@ -111,16 +107,20 @@ fn a_sphere_and_a_torus_are_not_homeomorphic() {
 #[test]
 fn a_vertex_pulled_through_is_not_certified_and_the_fold_is_shown() {
     let mut folded = icosphere(2);
-    // Pushed sideways over its neighbours, within the shell.
-    let moved = folded.faces.iter().find(|f| f.contains(&100)).map(|f| *f.iter().find(|v| **v != 100).unwrap());
+    // Pulled up and sideways beyond a neighbour: it overhangs, within the shell and without intersections.
+    let moved =
+        folded.faces.iter().find(|f| f.contains(&100)).map(|f| *f.iter().find(|v| **v != 100).unwrap());
     let to = folded.vertices[moved.unwrap() as usize];
     let from = folded.vertices[100];
-    folded.vertices[100] = std::array::from_fn(|i| 1.02 * (to[i] + 0.6 * (to[i] - from[i])));
+    let beyond: [f64; 3] = std::array::from_fn(|i| to[i] + 0.6 * (to[i] - from[i]));
+    let radius = beyond.iter().map(|x| x * x).sum::<f64>().sqrt();
+    folded.vertices[100] = beyond.map(|x| 1.2 * x / radius);
     let out = run(&icosphere(2), &folded, Some(&radial(2)));
     assert_eq!(out.report.verdict, AuditVerdict::NotCertified, "{}", words(&out.report));
     assert_eq!(out.report.attempts[0].sections, [Some(true), Some(false)]);
     let found = survey(&out);
-    let near: Vec<u32> = (0..folded.faces.len() as u32).filter(|&f| folded.faces[f as usize].contains(&100)).collect();
+    let near: Vec<u32> =
+        (0..folded.faces.len() as u32).filter(|&f| folded.faces[f as usize].contains(&100)).collect();
     assert!(kinds(found).contains(&ViolationKind::Fold), "{}", words(&out.report));
     assert!(kinds(found).contains(&ViolationKind::CoveredTwice));
     assert!(!kinds(found).contains(&ViolationKind::NotCovered));

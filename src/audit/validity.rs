@@ -43,10 +43,7 @@ pub(crate) fn validity(subject: &Subject<'_>, observer: &dyn Observer) -> Result
         vertices: mesh.vertices.len(),
         triangles: mesh.faces.len(),
         valid: defects.is_empty() && crossings.is_empty(),
-        defects: defects
-            .iter()
-            .map(|d| DefectReport { kind: kind_word(d), text: d.to_string() })
-            .collect(),
+        defects: defects.iter().map(|d| DefectReport { kind: kind_word(d), text: d.to_string() }).collect(),
         self_intersections: crossings.iter().filter_map(|c| crossing_report(mesh, c)).collect(),
         remarks: allowed.map(|(kind, n)| format!("{n} {kind}")).collect(),
     };

@@ -40,7 +40,11 @@ fn about_input(input: &InputReport) -> String {
     }
     for c in input.self_intersections.iter().take(LISTED) {
         let [x, y, z] = c.point.approximate;
-        let _ = writeln!(out, "    triangles {} and {} meet near ({x}, {y}, {z})", c.triangles[0], c.triangles[1]);
+        let _ = writeln!(
+            out,
+            "    triangles {} and {} meet near ({x}, {y}, {z})",
+            c.triangles[0], c.triangles[1]
+        );
     }
     out
 }
@@ -69,7 +73,8 @@ fn about_attempt(number: usize, attempt: &AttemptReport) -> String {
 
 fn about_survey(survey: &SurveyReport) -> String {
     let share = 100.0 * survey.clean_area_share;
-    let mut out = format!("    {}: {share:.2} % of its area is in triangles without violations;", survey.mesh);
+    let mut out =
+        format!("    {}: {share:.2} % of its area is in triangles without violations;", survey.mesh);
     for kind in ViolationKind::ALL {
         let regions = survey.regions.iter().filter(|r| r.kind == kind);
         let (count, places) = regions.fold((0, 0), |(n, p), r| (n + 1, p + r.violations.len()));

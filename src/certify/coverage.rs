@@ -134,9 +134,9 @@ fn prism_coverage(cx: Lifting<'_>, prism: u32, parts: &[&Part]) -> Result<Covera
             left.into_iter().partition(|p| meet(&bounds(p), &image.bounds));
         left = apart;
         left.extend(without(near, &sides(&image.polygon)));
-        out.twice.extend(images.iter().filter(|i| meet(&i.bounds, &image.bounds)).find_map(|i| {
-            twice(prism, i, &image)
-        }));
+        out.twice.extend(
+            images.iter().filter(|i| meet(&i.bounds, &image.bounds)).find_map(|i| twice(prism, i, &image)),
+        );
         images.push(image);
     }
     out.uncovered.extend(uncovered(prism, &left));

@@ -113,7 +113,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
         return Err(CliError::Usage("two files are wanted, or --manifest".to_owned()));
     };
     let outputs = args.outputs()?;
-    if args.cage { cage(args, first, second, &outputs) } else { pair(args, first, second, &options, &outputs) }
+    if args.cage {
+        cage(args, first, second, &outputs)
+    } else {
+        pair(args, first, second, &options, &outputs)
+    }
 }
 
 struct Outputs<'a> {
@@ -162,7 +166,8 @@ fn cage(args: &Args, cage: &Path, mesh: &Path, outputs: &Outputs<'_>) -> Result<
     let (outer, inner) = (mesh::read(cage)?.mesh, mesh::read(mesh)?.mesh);
     let progress = Progress::new(args.quiet);
     let files = [mesh, cage].map(|f| f.display().to_string());
-    let done = audit::cage(&inner, &outer, files, &progress).map_err(|e| error::of_audit(e, &[mesh, cage]))?;
+    let done =
+        audit::cage(&inner, &outer, files, &progress).map_err(|e| error::of_audit(e, &[mesh, cage]))?;
     if progress.interrupted() {
         return Err(CliError::Interrupted);
     }

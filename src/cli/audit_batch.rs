@@ -37,7 +37,8 @@ pub(super) fn run(args: &Args, manifest: &Path, options: &AuditOptions) -> Resul
     std::fs::create_dir_all(directory)
         .map_err(|e| CliError::Write { file: directory.display().to_string(), reason: e.to_string() })?;
     let shard = args.shard.unwrap_or(Shard::WHOLE);
-    let journal = Journal::open(&directory.join(shard.file_name()), args.resume).map_err(error::of_journal)?;
+    let journal =
+        Journal::open(&directory.join(shard.file_name()), args.resume).map_err(error::of_journal)?;
     let progress = Progress::new(true);
     let work = Work {
         items: items.of_shard(shard).collect(),
@@ -122,7 +123,9 @@ impl Work<'_> {
         let read = read(item);
         let key = match &read {
             Ok(inputs) => item.key(&inputs.contents, self.options),
-            Err(_) => item.key(&names(item).into_iter().map(String::into_bytes).collect::<Vec<_>>(), self.options),
+            Err(_) => {
+                item.key(&names(item).into_iter().map(String::into_bytes).collect::<Vec<_>>(), self.options)
+            }
         };
         if lock(&self.journal).has(&key) {
             return Ok(());
@@ -177,8 +180,7 @@ impl Work<'_> {
                 done.documents
             }
             Kind::Cage => {
-                let done =
-                    audit::cage(first, second, [file(0), file(1)], &self.observer).map_err(failed)?;
+                let done = audit::cage(first, second, [file(0), file(1)], &self.observer).map_err(failed)?;
                 write_all(&directory, &done.documents, &done.report)?;
                 let report = done.report;
                 line.summary = report.reasons.first().map_or_else(
@@ -247,10 +249,9 @@ pub(super) fn merge(args: &MergeArgs) -> Result<ExitCode, CliError> {
     let merged = batch::merge(lines).map_err(|e| CliError::Usage(e.to_string()))?;
     let mut text = String::new();
     for line in &merged {
-        let line = serde_json::to_string(line).map_err(|e| error::of_journal(JournalError::Io {
-            file: args.out.display().to_string(),
-            source: e.into(),
-        }))?;
+        let line = serde_json::to_string(line).map_err(|e| {
+            error::of_journal(JournalError::Io { file: args.out.display().to_string(), source: e.into() })
+        })?;
         text += &line;
         text.push('\n');
     }

@@ -84,8 +84,13 @@ impl Journal {
     pub fn open(path: &Path, resume: bool) -> Result<Self, JournalError> {
         let name = path.display().to_string();
         let failed = |source| JournalError::Io { file: name.clone(), source };
-        let mut file =
-            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
+        let mut file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(path)
+            .map_err(failed)?;
         match file.try_lock() {
             Ok(()) => {}
             Err(std::fs::TryLockError::WouldBlock) => return Err(JournalError::Locked(name)),

@@ -72,7 +72,11 @@ impl Item {
     pub fn key(&self, contents: &[Vec<u8>], options: &AuditOptions) -> String {
         let kind = if self.kind == Kind::Pair { "pair" } else { "cage" };
         // A structure of numbers and words: it always has a JSON text.
-        let options = if self.kind == Kind::Pair { serde_json::to_string(options).unwrap_or_default() } else { String::new() };
+        let options = if self.kind == Kind::Pair {
+            serde_json::to_string(options).unwrap_or_default()
+        } else {
+            String::new()
+        };
         let head = [kind.as_bytes(), options.as_bytes()];
         sha256(head.into_iter().chain(contents.iter().map(Vec::as_slice)))
     }
@@ -97,10 +101,8 @@ impl Manifest {
             let files = [Some(p.a), Some(p.b), p.shell].into_iter().flatten().map(at).collect();
             Item::new(Kind::Pair, p.name, files)
         });
-        let cages = entries
-            .cage
-            .into_iter()
-            .map(|c| Item::new(Kind::Cage, c.name, vec![at(c.mesh), at(c.cage)]));
+        let cages =
+            entries.cage.into_iter().map(|c| Item::new(Kind::Cage, c.name, vec![at(c.mesh), at(c.cage)]));
         Ok(Self { items: pairs.chain(cages).collect() })
     }
 

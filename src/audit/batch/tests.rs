@@ -62,7 +62,8 @@ fn manifests_name_every_file_and_refuse_what_they_do_not_know() {
     assert_eq!(manifest.items[0].name, "x.off y.off");
     assert_eq!(manifest.items[0].files, ["/data/x.off", "/y.off"].map(std::path::PathBuf::from));
     assert_eq!((manifest.items[1].kind, manifest.items[1].name.as_str()), (Kind::Cage, "c"));
-    for wrong in ["[[pair]]\na = 'x'\n", "[[pair]]\na = 'x'\nb = 'y'\nshel = 'z'\n", "pair = 3", "[[pear]]\n"] {
+    for wrong in ["[[pair]]\na = 'x'\n", "[[pair]]\na = 'x'\nb = 'y'\nshel = 'z'\n", "pair = 3", "[[pear]]\n"]
+    {
         assert!(Manifest::parse(wrong, Path::new("")).is_err(), "{wrong}");
     }
 }
@@ -85,7 +86,13 @@ fn shards_are_a_partition() {
 
 #[test]
 fn merging_keeps_each_result_once_and_refuses_contradictions() {
-    let lines = [line("b", "nested"), line("a", "error"), line("a", "bijective"), line("b", "nested"), line("a", "error")];
+    let lines = [
+        line("b", "nested"),
+        line("a", "error"),
+        line("a", "bijective"),
+        line("b", "nested"),
+        line("a", "error"),
+    ];
     let merged = merge(lines).unwrap();
     assert_eq!(merged.iter().map(|l| l.verdict.as_str()).collect::<Vec<_>>(), ["bijective", "nested"]);
     assert!(merge([line("a", "bijective"), line("a", "not certified")]).is_err());

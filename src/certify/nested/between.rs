@@ -85,7 +85,11 @@ impl Between {
     }
 }
 
-fn meeting(triangles: [u32; 2], first: [[f64; 3]; 3], second: [[f64; 3]; 3]) -> Result<Meeting, CertifyError> {
+fn meeting(
+    triangles: [u32; 2],
+    first: [[f64; 3]; 3],
+    second: [[f64; 3]; 3],
+) -> Result<Meeting, CertifyError> {
     let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
     let (x, _) = scale_points(&[first, second].concat());
     let [a, b, c, d, e, f] = x.as_slice() else { return Err(broken) };

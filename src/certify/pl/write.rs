@@ -45,7 +45,11 @@ pub(in crate::certify) fn plane(input: Input, plane: &PlaneName) -> String {
 }
 
 /// The whole file.
-pub(in crate::certify) fn certificate(claim: &str, verdict: Verdict, sides: &[(Input, &Complex, &Side)]) -> String {
+pub(in crate::certify) fn certificate(
+    claim: &str,
+    verdict: Verdict,
+    sides: &[(Input, &Complex, &Side)],
+) -> String {
     let mut out = format!("homeo-meshes 1\nclaim {claim} {verdict}\n");
     for (name, complex, _) in sides {
         out += &input(*name, complex, &super::complex_file(complex));
