@@ -222,3 +222,38 @@ fn a_shell_that_is_none_is_a_try_without_verdict() {
     assert_eq!(out.report.verdict, AuditVerdict::NotCertified);
     assert_eq!(out.report.attempts[0].result, AttemptResult::NoShell);
 }
+
+/// The survey knows nothing of the certifier's lift: both must agree on whether a mesh is a section.
+#[test]
+fn there_are_violations_just_where_the_certifier_refutes() {
+    use crate::certify::{Claim, Options, certify};
+    use crate::mesh::Connectivity;
+    let shell = radial(1);
+    let mut verdicts = [0, 0];
+    for seed in 0..60_u64 {
+        let mut mesh = icosphere(1);
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let mut random = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state % 2001) as f64 / 1000.0 - 1.0
+        };
+        let size = 0.1 + 0.02 * (seed % 20) as f64;
+        for p in &mut mesh.vertices {
+            *p = p.map(|x| x + size * random());
+        }
+        let connectivity = Connectivity::new(mesh.vertices.len(), &mesh.faces).unwrap();
+        let found = places::places(&subject("B", &mesh), &connectivity, &shell, &Silent).unwrap().unwrap();
+        let options = Options { claims: vec![Claim::Bijection], ..Options::default() };
+        let certified = certify(&shell, Some(&mesh), &options, &Silent).unwrap().all_certified();
+        assert_eq!(found.violations.is_empty(), certified, "seed {seed}");
+        verdicts[usize::from(certified)] += 1;
+        for v in &found.violations {
+            assert_eq!(v.triangle.is_none(), v.kind == ViolationKind::NotCovered);
+        }
+        let in_regions: usize = found.regions.iter().map(|r| r.violations.len()).sum();
+        assert_eq!(in_regions, found.violations.len());
+    }
+    assert!(verdicts.iter().all(|n| *n > 5), "{verdicts:?}");
+}
