@@ -34,7 +34,7 @@ MAPS = [  # name, tool, arguments; in thirdparty/tetmaps (or pairs)
     ("rockerarm_rational", "GalaxyMaps", ["cub_rockerarm291_object.vtk", "cub_rockerarm291_rational.txt"]),
     ("83715_exact", "expansion-cones", ["thingi10k_83715_tet_codomain.ovm"]),
     ("83715_rounded", "expansion-cones",
-     ["thingi10k_83715_domain.ovm", "thingi10k_83715_tet_codomain.ovm", "--b-positions", "vertices"]),
+     ["thingi10k_83715_tet_codomain.ovm", "--b-positions", "vertices"]),
     ("fsaverage5_left_map", "FreeSurfer (white, pial)", ["../../pairs/white_left.gii.gz", "../../pairs/pial_left.gii.gz"]),
 ]
 

@@ -86,7 +86,7 @@ pub fn cage(
 
 fn facts(name: &'static str, mesh: &TriMesh) -> Result<Vec<ComponentFacts>, AuditError> {
     let connectivity = Connectivity::new(mesh.vertices.len(), &mesh.faces)
-        .map_err(|source| AuditError::Mesh { name, source })?;
+        .map_err(|source| AuditError::Mesh { name, source: Box::new(source) })?;
     Ok(component_facts(mesh, &connectivity))
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn places(
     shell: &Shell,
     observer: &dyn Observer,
 ) -> Result<Option<SurveyReport>, AuditError> {
-    let failed = |source| AuditError::Mesh { name: "shell", source };
+    let failed = |source| AuditError::Mesh { name: "shell", source: Box::new(source) };
     let middle = Connectivity::new(shell.middle.len(), &shell.faces).map_err(failed)?;
     let (edge, wall) = (Boundary::new(connectivity), Boundary::new(&middle));
     let mesh = MeshView {

@@ -34,7 +34,7 @@ impl ExactPoint {
         let x = coordinates(weights, corners);
         Self {
             weights: to_integers(weights).map(|w| w.to_string()),
-            exact: x.each_ref().map(|x| x.to_string()),
+            exact: x.each_ref().map(ToString::to_string),
             approximate: x.each_ref().map(|x| x.to_f64().value()),
         }
     }

@@ -42,21 +42,21 @@ pub struct Audit {
 /// # Errors
 /// [`AuditError`]: an interruption, or a contradiction between certifier and checker. Never a verdict.
 pub fn audit(
-    subjects: [Subject<'_>; 2],
+    subjects: &[Subject<'_>; 2],
     shell: Option<&Shell>,
     options: &AuditOptions,
     observer: &dyn Observer,
 ) -> Result<Audit, AuditError> {
     let start = Instant::now();
     let mut work = Work::default();
-    let files = ["a.off", "b.off"].into_iter().zip(&subjects).map(|(file, s)| documents::off(file, s.mesh));
+    let files = ["a.off", "b.off"].into_iter().zip(subjects).map(|(file, s)| documents::off(file, s.mesh));
     work.documents = files.collect();
     let first = validity(&subjects[0], observer)?;
     let second = validity(&subjects[1], observer)?;
     work.lap("validity");
     let verdict = match (&first.connectivity, &second.connectivity) {
-        (Some(a), Some(b)) => work.valid(&subjects, [a, b], shell, options, observer)?,
-        _ => work.invalid(&subjects, [&first, &second], observer)?,
+        (Some(a), Some(b)) => work.valid(subjects, [a, b], shell, options, observer)?,
+        _ => work.invalid(subjects, [&first, &second], observer)?,
     };
     let report = AuditReport {
         format: 1,

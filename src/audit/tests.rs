@@ -18,7 +18,7 @@ fn run(a: &TriMesh, b: &TriMesh, shell: Option<&Shell>) -> Audit {
         only_given: shell.is_some(),
         ..AuditOptions::default()
     };
-    audit([subject("A", a), subject("B", b)], shell, &options, &Silent).unwrap()
+    audit(&[subject("A", a), subject("B", b)], shell, &options, &Silent).unwrap()
 }
 
 /// A shell of radial pillars around the unit icosphere.
@@ -230,7 +230,7 @@ fn there_are_violations_just_where_the_certifier_refutes() {
     use crate::mesh::Connectivity;
     let shell = radial(1);
     let mut verdicts = [0, 0];
-    for seed in 0..60_u64 {
+    for seed in 0..24_u64 {
         let mut mesh = icosphere(1);
         let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
         let mut random = || {
@@ -239,7 +239,7 @@ fn there_are_violations_just_where_the_certifier_refutes() {
             state ^= state << 17;
             (state % 2001) as f64 / 1000.0 - 1.0
         };
-        let size = 0.1 + 0.02 * (seed % 20) as f64;
+        let size = 0.04 + 0.03 * (seed % 12) as f64;
         for p in &mut mesh.vertices {
             *p = p.map(|x| x + size * random());
         }
@@ -255,5 +255,5 @@ fn there_are_violations_just_where_the_certifier_refutes() {
         let in_regions: usize = found.regions.iter().map(|r| r.violations.len()).sum();
         assert_eq!(in_regions, found.violations.len());
     }
-    assert!(verdicts.iter().all(|n| *n > 5), "{verdicts:?}");
+    assert!(verdicts.iter().all(|n| *n > 3), "{verdicts:?}");
 }

@@ -21,7 +21,7 @@ pub(crate) struct Validity {
 pub(crate) fn validity(subject: &Subject<'_>, observer: &dyn Observer) -> Result<Validity, AuditError> {
     observer.stage("input", None);
     let mesh = subject.mesh;
-    let failed = |source| AuditError::Mesh { name: subject.name, source };
+    let failed = |source| AuditError::Mesh { name: subject.name, source: Box::new(source) };
     let found = mesh::validate_listing(mesh, usize::MAX).map_err(failed)?;
     let defects: Vec<&Defect> = found.listed.iter().filter(|d| !d.kind().is_allowed()).collect();
     // What keeps the pair tests from having a meaning.
@@ -68,7 +68,7 @@ fn crossings(
     observer: &dyn Observer,
 ) -> Result<Vec<Crossing>, AuditError> {
     let connectivity = Connectivity::new(mesh.vertices.len(), &mesh.faces)
-        .map_err(|source| AuditError::Mesh { name: subject.name, source })?;
+        .map_err(|source| AuditError::Mesh { name: subject.name, source: Box::new(source) })?;
     let boundary = Boundary::new(&connectivity);
     let view = MeshView {
         vertices: &mesh.vertices,

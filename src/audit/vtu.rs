@@ -31,7 +31,7 @@ pub fn vtu(report: &AuditReport) -> String {
 fn data(number: i64, mesh: i64, violation: &Violation, triangle: Option<u32>) -> [i64; 5] {
     let kind = ViolationKind::ALL.iter().position(|k| *k == violation.kind);
     let id = |x: Option<u32>| x.map_or(-1, i64::from);
-    [number, mesh, kind.map_or(-1, |k| k as i64), id(triangle), id(violation.prism)]
+    [number, mesh, kind.map_or(-1, number_of), id(triangle), id(violation.prism)]
 }
 
 fn text(points: &[([f64; 3], [i64; 5])]) -> String {
@@ -46,14 +46,19 @@ fn text(points: &[([f64; 3], [i64; 5])]) -> String {
     });
     array(&mut out, "Float64", "Points", " NumberOfComponents=\"3\"", &coordinates);
     out += "</Points>\n<Cells>\n";
-    array(&mut out, "Int64", "connectivity", "", &lines((0..n).map(|i| i as i64)));
-    array(&mut out, "Int64", "offsets", "", &lines((0..n).map(|i| i as i64 + 1)));
+    array(&mut out, "Int64", "connectivity", "", &lines((0..n).map(number_of)));
+    array(&mut out, "Int64", "offsets", "", &lines((1..=n).map(number_of)));
     array(&mut out, "UInt8", "types", "", &lines((0..n).map(|_| 1)));
     out += "</Cells>\n<CellData>\n";
     for (i, name) in ["try", "mesh", "kind", "triangle", "prism"].into_iter().enumerate() {
         array(&mut out, "Int64", name, "", &lines(points.iter().map(|(_, d)| d[i])));
     }
     out + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
+}
+
+/// Positions are far below 2^63.
+fn number_of(position: usize) -> i64 {
+    i64::try_from(position).unwrap_or(i64::MAX)
 }
 
 fn lines(values: impl Iterator<Item = i64>) -> String {

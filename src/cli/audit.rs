@@ -137,7 +137,7 @@ fn pair(
     let progress = Progress::new(args.quiet);
     let subject = |name, file: &Path, mesh| Subject { name, file: file.display().to_string(), mesh };
     let subjects = [subject("A", first, &a), subject("B", second, &b)];
-    let done = audit::audit(subjects, shell.as_ref(), options, &progress)
+    let done = audit::audit(&subjects, shell.as_ref(), options, &progress)
         .map_err(|e| error::of_audit(e, &[first, second]))?;
     if progress.interrupted() {
         return Err(CliError::Interrupted);

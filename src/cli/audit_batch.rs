@@ -172,7 +172,7 @@ impl Work<'_> {
             Kind::Pair => {
                 let subject = |name, i, mesh| Subject { name, file: file(i), mesh };
                 let subjects = [subject("A", 0, first), subject("B", 1, second)];
-                let done = audit::audit(subjects, inputs.shell.as_ref(), self.options, &self.observer)
+                let done = audit::audit(&subjects, inputs.shell.as_ref(), self.options, &self.observer)
                     .map_err(failed)?;
                 write_all(&directory, &done.documents, &done.report)?;
                 done.report.verdict.word().clone_into(&mut line.verdict);
