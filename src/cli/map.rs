@@ -27,13 +27,17 @@ pub(super) struct Args {
     /// Positions of B by name
     #[arg(long, value_name = "NAME")]
     b_positions: Option<String>,
-    /// With an OBJ file: cut the surface open where texture coordinates differ at a vertex
+    /// With an OBJ file: cut the surface open where texture coordinates differ at a vertex. In space the cut surface
+    /// touches itself along the seams, which refutes the claim; what is found in the plane is reported beside it
     #[arg(long)]
     cut: bool,
     /// For every vertex of surface B a line `TRIANGLE W0 W1 W2`: its place in a triangle of surface A. Decides whether
     /// the map B -> A that is affine on B's triangles is a homeomorphism; there is no certificate for this yet
     #[arg(long, value_name = "FILE", conflicts_with_all = ["output", "write_inputs", "cut", "a_positions", "b_positions"])]
     correspondence: Option<PathBuf>,
+    /// Decide C6 for one surface instead: its triangles share only what their common vertices force
+    #[arg(long, conflicts_with_all = ["cut", "a_positions", "b_positions", "correspondence"])]
+    embedded: bool,
     /// Where the certificate (or the refutation) goes; an existing file is replaced, but only when there is a verdict
     #[arg(short = 'o', long = "output", value_name = "OUT.cert")]
     output: Option<PathBuf>,
@@ -91,15 +95,23 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
     if let Some(file) = &args.correspondence {
         return by_correspondence(args, file, &json);
     }
-    let pair =
-        map_input::read(&args.files, [args.a_positions.as_deref(), args.b_positions.as_deref()], args.cut)?;
+    let names_of = [args.a_positions.as_deref(), args.b_positions.as_deref()];
+    let pair = if args.embedded {
+        map_input::surface(&args.files)?
+    } else {
+        map_input::read(&args.files, names_of, args.cut)?
+    };
     let written = targets(args, &json)?;
     let progress = Progress::new(args.quiet);
-    let outcome =
-        pl::pl_homeomorphism(&pair.complexes[0], &pair.complexes[1], &progress).map_err(|e| match e {
-            PlError::Certify(CertifyError::Cancelled) => CliError::Interrupted,
-            source => CliError::Map { files: names(&args.files), source },
-        })?;
+    let decided = match pair.complexes.as_slice() {
+        [a, b] => pl::pl_homeomorphism(a, b, &progress),
+        [a] => pl::embedded(a, &progress),
+        _ => Err(PlError::NoCells),
+    };
+    let outcome = decided.map_err(|e| match e {
+        PlError::Certify(CertifyError::Cancelled) => CliError::Interrupted,
+        source => CliError::Map { files: names(&args.files), source },
+    })?;
     if progress.interrupted() {
         return Err(CliError::Interrupted);
     }
@@ -122,8 +134,9 @@ fn names(files: &[PathBuf]) -> String {
 /// The complex files to write; checks all outputs.
 fn targets(args: &Args, json: &Json) -> Result<Vec<PathBuf>, CliError> {
     let directory = args.write_inputs.as_deref();
+    let inputs: &[&str] = if args.embedded { &["a.complex"] } else { &["a.complex", "b.complex"] };
     let written: Vec<PathBuf> =
-        directory.iter().flat_map(|dir| ["a.complex", "b.complex"].map(|name| dir.join(name))).collect();
+        directory.iter().flat_map(|dir| inputs.iter().map(|name| dir.join(name))).collect();
     let mut taken: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
     let outputs = written.iter().map(PathBuf::as_path).chain(args.output.as_deref()).chain(json.file());
     for path in outputs {
@@ -143,7 +156,7 @@ fn report(outcome: &PlOutcome, pair: &Pair, args: &Args) -> Report {
         corners: complex.cells.corners(),
         dimension: complex.space.dimension(),
         facts: side.facts.clone(),
-        embedded: side.witnesses.is_empty() && !is_unsound(outcome),
+        embedded: outcome.sound && side.witnesses.is_empty(),
         reasons: side
             .witnesses
             .iter()
@@ -152,7 +165,7 @@ fn report(outcome: &PlOutcome, pair: &Pair, args: &Args) -> Report {
             .collect(),
     });
     Report {
-        claim: "pl-homeomorphism",
+        claim: if args.embedded { "embedded" } else { "pl-homeomorphism" },
         verdict: outcome.verdict.word(),
         inputs: inputs.collect(),
         certificate: args.output.as_ref().map(|p| p.display().to_string()),
@@ -160,16 +173,9 @@ fn report(outcome: &PlOutcome, pair: &Pair, args: &Args) -> Report {
     }
 }
 
-/// Is the complex itself no manifold? The witness then stands at the first input.
-fn is_unsound(outcome: &PlOutcome) -> bool {
-    outcome.sides.iter().all(|s| s.facts.pairs.is_none() && s.facts.signs.is_none())
-        && outcome.verdict == Verdict::Refuted
-        && outcome.sides.iter().any(|s| s.witnesses.iter().any(|w| w.kind() != "flat"))
-}
-
 fn words(report: &Report, written: &[PathBuf], args: &Args) -> String {
     let mut out: String = report.notes.iter().map(|n| format!("note: {}\n", one_line(n))).collect();
-    let _ = writeln!(out, "pl-homeomorphism: {}", report.verdict.to_uppercase());
+    let _ = writeln!(out, "{}: {}", report.claim, report.verdict.to_uppercase());
     for (side, name) in report.inputs.iter().zip(["a", "b"]) {
         let kind = match (side.corners, side.dimension) {
             (4, _) => "tets",
@@ -194,7 +200,7 @@ fn words(report: &Report, written: &[PathBuf], args: &Args) -> String {
             let _ = writeln!(out, "     NOT: {}", reason.text);
         }
     }
-    if report.verdict == Verdict::Certified.word() {
+    if report.verdict == Verdict::Certified.word() && report.inputs.len() == 2 {
         out += "  The map from a to b that is affine on every cell is a homeomorphism.\n";
     }
     match (&args.output, written) {

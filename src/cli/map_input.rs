@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use super::CliError;
 use crate::mesh::{self, Complex, ComplexFile, Format, Positions, Space};
 
-/// Two complexes that are to have the same cells.
+/// One complex, or two that are to have the same cells.
 pub(super) struct Pair {
-    pub(super) complexes: [Complex; 2],
+    pub(super) complexes: Vec<Complex>,
     /// The file of each.
-    pub(super) files: [PathBuf; 2],
+    pub(super) files: Vec<PathBuf>,
     /// What the positions of each are called.
-    pub(super) positions: [String; 2],
+    pub(super) positions: Vec<String>,
     pub(super) notes: Vec<String>,
 }
 
@@ -31,6 +31,16 @@ pub(super) fn read(files: &[PathBuf], names: [Option<&str>; 2], cut: bool) -> Re
     }
 }
 
+/// Reads one surface.
+pub(super) fn surface(files: &[PathBuf]) -> Result<Pair, CliError> {
+    let [file] = files else {
+        return Err(CliError::Usage("--embedded goes with one surface".to_owned()));
+    };
+    let read = mesh::read(file)?;
+    let positions = vec![VERTICES.to_owned()];
+    Ok(Pair { complexes: vec![read.mesh.into()], files: vec![file.clone()], positions, notes: read.notes })
+}
+
 fn is_obj(path: &Path) -> bool {
     Format::from_extension(path) == Some(Format::Obj)
 }
@@ -39,9 +49,9 @@ fn uv(file: &Path, cut: bool) -> Result<Pair, CliError> {
     let read = mesh::read_uv(file)?;
     let complexes = if cut { read.cut() } else { read.whole() };
     let complexes = complexes.map_err(|source| CliError::Uv { file: file.display().to_string(), source })?;
-    let files = [file.to_owned(), file.to_owned()];
-    let positions = ["v".to_owned(), "vt".to_owned()];
-    Ok(Pair { complexes, files, positions, notes: read.notes })
+    let files = vec![file.to_owned(); 2];
+    let positions = vec!["v".to_owned(), "vt".to_owned()];
+    Ok(Pair { complexes: complexes.into(), files, positions, notes: read.notes })
 }
 
 /// The complex with the positions of this name.
@@ -64,8 +74,8 @@ fn one(path: &Path, names: [Option<&str>; 2]) -> Result<Pair, CliError> {
     let domain = if file.exact(DOMAIN).is_some() { DOMAIN } else { VERTICES };
     let positions = [names[0].unwrap_or(domain), names[1].unwrap_or(IMAGE)];
     let [a, b] = positions.map(|name| select(&file, path, name));
-    let files = [path.to_owned(), path.to_owned()];
-    Ok(Pair { complexes: [a?, b?], files, positions: positions.map(ToOwned::to_owned), notes: file.notes })
+    let positions = positions.map(ToOwned::to_owned).into();
+    Ok(Pair { complexes: vec![a?, b?], files: vec![path.to_owned(); 2], positions, notes: file.notes })
 }
 
 /// The exact positions of the image, if the file has them.
@@ -90,6 +100,7 @@ fn two(a: &Path, b: &Path, names: [Option<&str>; 2]) -> Result<Pair, CliError> {
         notes.extend(file.notes);
         (second, name)
     };
-    let positions = [a_name, b_name].map(ToOwned::to_owned);
-    Ok(Pair { complexes: [complex, second], files: [a.to_owned(), b.to_owned()], positions, notes })
+    let positions = [a_name, b_name].map(ToOwned::to_owned).into();
+    let files = vec![a.to_owned(), b.to_owned()];
+    Ok(Pair { complexes: vec![complex, second], files, positions, notes })
 }

@@ -93,16 +93,23 @@ impl Format {
         }
         let (_, line) = Lines::new(strip_bom(bytes)).next_content()?;
         let first = tokens(line).next()?;
-        let marks: [(fn(&[u8]) -> bool, Self); 4] = [
-            (off::is_magic, Self::Off),
-            (medit::is_magic, Self::Medit),
-            (gmsh::is_magic, Self::Gmsh),
-            (ovm::is_magic, Self::Ovm),
-        ];
-        if let Some((_, format)) = marks.iter().find(|(is_magic, _)| is_magic(first)) {
-            return Some(*format);
+        if let Some(format) = from_first_word(first) {
+            return Some(format);
         }
         first.eq_ignore_ascii_case(b"solid").then_some(Self::StlAscii)
+    }
+}
+
+/// The format whose files begin with this word.
+fn from_first_word(word: &[u8]) -> Option<Format> {
+    if off::is_magic(word) {
+        Some(Format::Off)
+    } else if medit::is_magic(word) {
+        Some(Format::Medit)
+    } else if gmsh::is_magic(word) {
+        Some(Format::Gmsh)
+    } else {
+        ovm::is_magic(word).then_some(Format::Ovm)
     }
 }
 

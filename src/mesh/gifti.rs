@@ -54,15 +54,15 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Parts, Located> {
                 _ => {}
             },
             Event::Text(text) if in_data => {
-                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()))
+                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()));
             }
             Event::CData(text) if in_data => {
-                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()))
+                array.iter_mut().for_each(|a| a.data.extend_from_slice(text.as_bytes()));
             }
             Event::End(tag) if tag.name().as_ref() == "Data" => in_data = false,
             Event::End(tag) if tag.name().as_ref() == "DataArray" => {
                 if let Some(array) = array.take() {
-                    found.take(array)?;
+                    found.take(&array)?;
                 }
             }
             Event::Eof if array.is_some() => {
@@ -211,7 +211,7 @@ struct Found {
 }
 
 impl Found {
-    fn take(&mut self, array: Array) -> Result<(), Located> {
+    fn take(&mut self, array: &Array) -> Result<(), Located> {
         self.arrays += 1;
         let twice = || array.fault(Fault::BadHeader(format!("there are two arrays of {}", array.intent)));
         match array.intent.as_str() {

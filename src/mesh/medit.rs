@@ -139,7 +139,9 @@ impl<'a> Reader<'a> {
 
     fn tets(&mut self) -> Result<(), Located> {
         let count = self.scan.count("a count")?;
-        self.parts.tets.reserve(with_room::<u8>(count, self.scan.rest().len(), 10).capacity());
+        if self.parts.tets.is_empty() {
+            self.parts.tets = with_room(count, self.scan.rest().len(), 10);
+        }
         let mut row = [0; 4];
         for _ in 0..count {
             self.row(&mut row)?;

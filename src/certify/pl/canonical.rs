@@ -18,9 +18,9 @@ pub fn complex_file(complex: &Complex) -> String {
         complex.positions.len()
     );
     match &complex.positions {
-        Positions::Float(points) => points.iter().for_each(|p| row(&mut out, complex.space, p.map(float))),
+        Positions::Float(points) => points.iter().for_each(|p| row(&mut out, complex.space, &p.map(float))),
         Positions::Exact(points) => {
-            points.iter().for_each(|p| row(&mut out, complex.space, p.each_ref().map(rational)));
+            points.iter().for_each(|p| row(&mut out, complex.space, &p.each_ref().map(rational)));
         }
     }
     let _ = writeln!(out, "cells {}", complex.cells.len());
@@ -31,7 +31,7 @@ pub fn complex_file(complex: &Complex) -> String {
     out
 }
 
-fn row(out: &mut String, space: Space, numbers: [String; 3]) {
+fn row(out: &mut String, space: Space, numbers: &[String; 3]) {
     let _ = writeln!(out, "{}", joined(numbers.iter().take(space.dimension()), " "));
 }
 

@@ -11,6 +11,7 @@ use super::signs::{self, SignCounts};
 use super::witness::{Input, Witness};
 use super::{once, plane, sound, write};
 use crate::mesh::{Cells, Complex, Positions, Space};
+use crate::number::{Rat, Rational};
 
 /// Why there is no verdict.
 #[derive(Debug, thiserror::Error)]
@@ -38,6 +39,12 @@ pub enum PlError {
     /// Two inputs that differ in a cell.
     #[error("the inputs are not one complex: they differ in cell {0}")]
     Cells(usize),
+    /// A number that certificates do not hold.
+    #[error("vertex {vertex}: a coordinate has more than 4000 digits, which no certificate may have")]
+    Digits {
+        /// The vertex.
+        vertex: usize,
+    },
     /// The claim is about surfaces in space.
     #[error("`embedded` is about triangles in space")]
     NoSurface,
@@ -78,6 +85,8 @@ pub struct Facts {
 pub struct PlOutcome {
     /// Certified or refuted.
     pub verdict: Verdict,
+    /// Are the cells an oriented manifold? If not, the witness of that stands at the first input.
+    pub sound: bool,
     /// One for each input.
     pub sides: Vec<Side>,
     /// The certificate or the refutation, in the format of `certs/MESHES.md`.
@@ -108,12 +117,13 @@ pub fn pl_homeomorphism(a: &Complex, b: &Complex, observer: &dyn Observer) -> Re
         Some(_) => Ok(Side { facts: counts(&facets), ..Side::default() }),
         None => side(complex, &facets, observer),
     };
+    let sound = defect.is_none();
     let mut sides = vec![one(a, defect.as_ref())?, one(b, defect.as_ref())?];
     sides[0].witnesses.extend(defect);
     let verdict = Verdict::of(sides.iter().all(|s| s.witnesses.is_empty()));
     let named = [(Input::A, a, &sides[0]), (Input::B, b, &sides[1])];
     let certificate = write::certificate("pl-homeomorphism", verdict, &named);
-    Ok(PlOutcome { verdict, sides, certificate })
+    Ok(PlOutcome { verdict, sound, sides, certificate })
 }
 
 /// Decides C6 for one surface in space: its triangles share only what their common vertices force.
@@ -127,7 +137,8 @@ pub fn embedded(a: &Complex, observer: &dyn Observer) -> Result<PlOutcome, PlErr
     let side = side_facts(a, observer)?;
     let verdict = Verdict::of(side.witnesses.is_empty());
     let certificate = write::certificate("embedded", verdict, &[(Input::A, a, &side)]);
-    Ok(PlOutcome { verdict, sides: vec![side], certificate })
+    let sound = !side.witnesses.iter().any(Witness::is_defect);
+    Ok(PlOutcome { verdict, sound, sides: vec![side], certificate })
 }
 
 /// What one input of C8 has to fulfil: are the positions an embedding of the complex, which must be sound?
@@ -159,7 +170,20 @@ pub(in crate::certify) fn facets(complex: &Complex) -> Result<Facets<'_>, PlErro
         let (cell, vertex) = (i / cells.corners(), cells.flat()[i]);
         return Err(PlError::Index { cell, vertex, vertices });
     }
+    if let Positions::Exact(points) = &complex.positions
+        && let Some(vertex) = points.iter().position(|p| p.iter().any(is_long))
+    {
+        return Err(PlError::Digits { vertex });
+    }
     Ok(Facets::new(cells))
+}
+
+/// Numbers below `2^BITS` have at most 4000 digits.
+const BITS: u64 = 13_287;
+
+fn is_long(x: &Rat) -> bool {
+    let (numerator, denominator) = Rational::bit_lengths(x);
+    numerator.max(denominator) > BITS
 }
 
 fn counts(facets: &Facets<'_>) -> Facts {
@@ -177,7 +201,7 @@ fn is_surface(complex: &Complex) -> bool {
     complex.space == Space::Space && matches!(complex.cells, Cells::Triangles(_))
 }
 
-fn homogeneous(positions: &[[crate::number::Rat; 3]]) -> Vec<Homogeneous> {
+fn homogeneous(positions: &[[Rat; 3]]) -> Vec<Homogeneous> {
     positions.iter().map(Homogeneous::new).collect()
 }
 

@@ -23,6 +23,9 @@ pub(super) mod sound;
 mod witness;
 pub(super) mod write;
 
+#[cfg(test)]
+mod tests;
+
 pub use canonical::complex_file;
 pub use correspondence::{CorrespondenceError, Mapped, map_by_correspondence};
 pub use decide::{Facts, PlError, PlOutcome, Side, embedded, pl_homeomorphism, side_facts};

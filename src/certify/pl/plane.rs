@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 
 use super::super::CertifyError;
-use super::super::exact::Vec3;
+use super::super::exact::{Vec3, normalised, to_integers};
 use super::super::observer::Observer;
 use super::super::pairs::BoxTree;
 use super::facets::Facets;
@@ -36,7 +36,9 @@ pub(super) fn crossings<P: Point>(
         let near = tree.meeting(&corners[i].iter().collect::<Vec<_>>());
         for j in near.into_iter().map(|j| j as usize).filter(|&j| j > i) {
             pairs += 1;
-            if let Some(weights) = common_point(*edge, ends[j], points) {
+            let weights = common_point(*edge, ends[j], points);
+            let weights = weights.and_then(|[w, x]| Some([shortest(&w)?, shortest(&x)?]));
+            if let Some(weights) = weights {
                 out.extend(witness(facets, [boundary[i], boundary[j]], weights));
             }
         }
@@ -71,6 +73,11 @@ fn common_point<P: Point>(first: [u32; 2], second: [u32; 2], points: &[P]) -> Op
         if p < IBig::ZERO || q > IBig::ZERO { [-q, p].map(absolute) } else { [q, p].map(absolute) }
     };
     Some([weights(area(c, d, a), area(c, d, b)), weights(area(a, b, c), area(a, b, d))])
+}
+
+/// The same point by weights without a common factor.
+fn shortest(weights: &[IBig; 2]) -> Option<[IBig; 2]> {
+    normalised(weights).map(|w| to_integers(&w))
 }
 
 fn absolute(x: IBig) -> IBig {

@@ -21,8 +21,7 @@ impl fmt::Display for Input {
     }
 }
 
-/// A reason, with ids of vertices and cells. [`fmt::Display`] gives the line of the certificate but for the input's
-/// letter, which comes after the first word: see [`Witness::line`].
+/// A reason, with ids of vertices and cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Witness {
     /// A cell that has a vertex twice.
@@ -87,6 +86,12 @@ impl Witness {
             Self::Cross(..) => "cross",
             Self::Twice(..) => "twice",
         }
+    }
+
+    /// Does it show that the cells are no oriented manifold, whatever the positions?
+    #[must_use]
+    pub fn is_defect(&self) -> bool {
+        !matches!(self, Self::Flat(_) | Self::Sign(_) | Self::Cross(..) | Self::Twice(..))
     }
 
     /// A sentence.

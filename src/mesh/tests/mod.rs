@@ -1,5 +1,6 @@
 //! Tests of readers, writers, connectivity and validation.
 
+mod cells;
 mod facts;
 mod hostile;
 mod io;
