@@ -212,8 +212,8 @@ class Certificate:
             self.ranges((pair[0], faces(left)), (pair[1], faces(right)),
                         *((v, self.inputs[x].vertices) for _, points in planes for x, v in points))
             yield pair, planes
-    def ray(self, word):  # input, vertex, direction, triangles
-        x, v, *d, cells = self.line(f"{word} ([ab]) ({ID})" + f" ({INT})" * 3 + f"((?: {ID})*)")
+    def ray(self, word, letter="[ab]"):  # input, vertex, direction, triangles
+        x, v, *d, cells = self.line(f"{word} ({letter}) ({ID})" + f" ({INT})" * 3 + f"((?: {ID})*)")
         d, cells, (other,) = list(map(int, d)), list(map(int, cells.split())), set("ab") - {x}
         self.ok(any(d) and ascending(cells))
         self.ranges((int(v), self.inputs[x].vertices), *((c, self.inputs[other].cells) for c in cells))
@@ -222,9 +222,8 @@ class Certificate:
         for x in "ab":
             many = 0
             while many == 0 or self.ahead()[:2] == ["ray", x]:
-                ray, many = self.ray("ray"), many + 1
-                self.ok(ray[0] == x)
-                yield ray
+                yield self.ray("ray", x)
+                many += 1
     def witness(self):  # word, input, facts
         words = {**DEFECTS, **OWN.get(self.claim, {})}
         if self.inputs["a"].k == 3: del words["edge"], words["link"]

@@ -17,15 +17,27 @@ def volume(mesh):
     return sum(dot(mesh.points[a], cross(mesh.points[b], mesh.points[c])) for a, b, c in mesh.cells)
 
 
-def torus():
+RING = [(1, 0), (0, 1), (-1, 0), (0, -1)]
+
+
+def torus(tube=((6, 0), (10, -3), (10, 3))):
     """Four corners around the axis, three around the tube."""
-    ring, tube = [(1, 0), (0, 1), (-1, 0), (0, -1)], [(6, 0), (10, -3), (10, 3)]
-    points = [(x * r, y * r, z) for x, y in ring for r, z in tube]
+    points = [(x * r, y * r, z) for x, y in RING for r, z in tube]
     at = lambda i, j: 3 * (i % 4) + j % 3
     cells = [t for i in range(4) for j in range(3) for t in
              ((at(i, j), at(i + 1, j), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i, j + 1)))]
     mesh = Mesh(points, cells)
     return mesh if volume(mesh) > 0 else mesh.turned()
+
+
+def solid_torus():
+    """Its inside: four prisms of three tets."""
+    points, cells = torus().points, []
+    for i in range(4):
+        (a, b, c), (d, e, f) = ([3 * (j % 4) + k for k in range(3)] for j in (i, i + 1))
+        cells += [(a, b, c, f), (a, b, e, f), (a, d, e, f)]
+    turn = lambda t: dot(*(lambda p, q, r, s: (minus(q, p), cross(minus(r, p), minus(s, p))))(*(points[v] for v in t)))
+    return Mesh(points, [t if turn(t) > 0 else (t[1], t[0], t[2], t[3]) for t in cells])
 
 
 def cone(surface):
@@ -139,6 +151,7 @@ def nestings(corpus):
 
     good("nested-tetrahedra", tetra(), tetra(2).moved(by=(Q(1, 8), 0, 0)), ([3], [0]))
     good("nested-torus", tetra(Q(1, 4)).moved(by=(Q(17, 4), Q(17, 4), 0)), torus(), ([0], [7]))
+    good("nested-rings", torus(((8, 0), (9, -1), (9, 1))), torus(), ([0], [0]), ("complex", "off"))
     small, far = octahedron(Q(1, 3)), (20, Q(1, 7), 0)
     two = small + small.moved(by=far)
     good("nested-twice", two, octahedron(3).moved(by=far) + tetra(2), ([5, 6], [2, 7]), ("complex", "complex"))
@@ -165,6 +178,8 @@ def homeomorphisms(corpus):
     good("map-surfaces", torus(), torus().moved(Q(1, 2)), ("off", "off"))
     tets = stellated()
     good("map-tets", tets, Mesh([(x / 3 + Q(1, 7), y / 5, z) for x, y, z in tets.points], tets.cells))
+    ring = solid_torus()
+    good("map-tets-ring", ring, Mesh([(x / 3 + Q(1, 7), -y, z) for x, y, z in ring.points], ring.cells))
     inner = cone(tetra(2))
     good("map-tets-inner", inner, Mesh([*tetra(3).points, (Q(1, 3), Q(1, 7), Q(-1, 2))], inner.cells))
     two = square() + square().moved(by=(9, 0))

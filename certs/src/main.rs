@@ -11,6 +11,7 @@ Usage: homeo-check CERTIFICATE INPUT...
 
 INPUT: one HDF5 shell that also holds the mesh; or an HDF5 shell and a mesh (OFF, OBJ);
        or the bottom, middle and top meshes of a shell; or these three and the mesh.
+       For a certificate about meshes (certs/MESHES.md): one or two meshes (OFF, OBJ, complex files).
 compose: do the certificates of A and of B on one shell prove a homeomorphism from A to B?
 
 Exit code: 0 valid, 1 invalid, 2 malformed or unreadable, 3 limit reached.

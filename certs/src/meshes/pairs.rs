@@ -96,7 +96,7 @@ pub(super) fn separated(points: &Points, left: &Faces, right: Option<&Faces>, li
         partners.retain(|&j| right.is_some() || i < j);
         partners.sort_unstable();
         for j in distinct(partners.iter().copied().chain(lines.iter().map(|line| line.pair.1))) {
-            let line = lines.iter().find(|line| line.pair.1 == j);
+            let line = lines.binary_search_by_key(&j, |line| line.pair.1).ok().map(|at| &lines[at]);
             let near = partners.binary_search(&j).is_ok();
             ensure!(near, "superfluous", "{i} and {j}: the boxes do not meet");
             let (Some(a), Some(b)) = (left.find(i), other.find(j)) else { continue };

@@ -185,3 +185,6 @@ impl PartialEq for Hom {
         self.x.iter().zip(&other.x).all(|(x, y)| x * &other.w == y * &self.w)
     }
 }
+
+#[cfg(test)]
+mod tests;

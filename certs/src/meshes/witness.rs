@@ -2,7 +2,7 @@
 
 use super::cells::{reverse, turned};
 use super::claims::{Input, centroid, winding};
-use super::parse::{Cert, Fact, What};
+use super::parse::{Cert, Fact, Ray, What};
 use super::points::Points;
 use super::rays;
 use crate::Res;
@@ -65,18 +65,16 @@ fn holds(fact: &Fact, inputs: &[Input], points: &Points) -> Res<bool> {
             ensure!(equal, "wrong-point", "line {}", fact.line);
             carrier(&ids[0], first) != carrier(&ids[1], second)
         }
-        What::Winding(ray) => {
-            let other = &inputs[1 - ray.input];
-            other.not_flat(points)?;
-            ensure!(
-                cells.corners.contains(&ray.vertex),
-                "ray-component",
-                "line {}: an unused vertex",
-                fact.line
-            );
-            let faces = other.triangles();
-            let number = rays::number(points, input.base + ray.vertex, ray, &faces, &faces.tree(points))?;
-            number != winding(ray.input)
-        }
+        What::Winding(ray) => winds_wrong(ray, inputs, points)?,
     })
+}
+
+fn winds_wrong(ray: &Ray, inputs: &[Input], points: &Points) -> Res<bool> {
+    let (input, other) = (&inputs[ray.input], &inputs[1 - ray.input]);
+    other.not_flat(points)?;
+    let used = input.cells.corners.contains(&ray.vertex);
+    ensure!(used, "ray-component", "line {}: an unused vertex", ray.line);
+    let faces = other.triangles();
+    let number = rays::number(points, input.base + ray.vertex, ray, &faces, &faces.tree(points))?;
+    Ok(number != winding(ray.input))
 }
