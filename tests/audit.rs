@@ -1,11 +1,14 @@
 //! `homeo audit` as a user runs it, above all a batch that is killed again and again.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod command;
+
 use std::collections::HashSet;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use command::{schema, validate};
 use homeo::construct::icosphere;
 use homeo::mesh::{Format, TriMesh, write};
 
@@ -17,6 +20,11 @@ fn homeo(arguments: &[&str], folder: &Path) -> Command {
 
 fn run(arguments: &[&str], folder: &Path) -> Output {
     homeo(arguments, folder).output().unwrap()
+}
+
+fn fits(file: &Path, name: &str) {
+    let value: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
+    validate(&value, &schema(name), name).unwrap();
 }
 
 fn scaled(level: u32, factor: f64) -> TriMesh {
@@ -45,6 +53,12 @@ fn a_pair_leaves_a_directory_that_the_checkers_accept() {
     for file in ["out/audit.json", "j.xml", "v.vtu"] {
         assert!(at.join(file).is_file(), "{file}");
     }
+    fits(&at.join("out/audit.json"), "audit");
+    // Far away: every kind of member is there.
+    save(at, "far.off", &scaled(2, 9.0));
+    let out = run(&["audit", "a.off", "far.off", "--try", "a", "-o", "far", "-q"], at);
+    assert_eq!(out.status.code(), Some(1));
+    fits(&at.join("far/audit.json"), "audit");
     let out = run(&["audit", "a.off"], at);
     assert_eq!(out.status.code(), Some(2));
     assert_eq!(run(&["audit", "a.off", "none.off"], at).status.code(), Some(2));
@@ -60,10 +74,12 @@ fn a_cage_is_nested_or_not() {
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
     let checked = run(&["check", "nested.cert", "mesh.off", "cage.off"], &at.join("out"));
     assert_eq!(String::from_utf8(checked.stdout).unwrap(), "valid\nnested certified\n");
+    fits(&at.join("out/audit.json"), "audit-cage");
     let out = run(&["audit", "--cage", "mesh.off", "cage.off", "-o", "not", "-q"], at);
     assert_eq!(out.status.code(), Some(1));
     let checked = run(&["check", "nested.cert", "mesh.off", "cage.off"], &at.join("not"));
     assert_eq!(String::from_utf8(checked.stdout).unwrap(), "valid\nnested refuted\n");
+    fits(&at.join("not/audit.json"), "audit-cage");
 }
 
 /// Keys of all whole lines.
