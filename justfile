@@ -45,3 +45,8 @@ campaign cases="50000":
 # Compare counts with CGAL's on real shells (needs CGAL and the data)
 cross-validate:
     reference/cross_validate.sh
+
+# Audit every third-party pair, cage and tet map of the data; both checkers judge every document (hours, most in Python)
+audit-zoo *options:
+    cargo build --release -p homeo -p homeo-certs
+    python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo {{options}}

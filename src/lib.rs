@@ -57,6 +57,7 @@
 //! Where to go from here: [`shell::hdf5`] and [`shell::three`] read shells, [`mesh::read`] reads meshes,
 //! [`projection`] projects points, [`report`] turns outcomes into JSON and sentences.
 
+pub mod audit;
 pub mod certify;
 pub mod cli;
 pub mod construct;

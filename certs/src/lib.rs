@@ -3,7 +3,8 @@
 //!
 //! The *trusted core*, which decides whether a claim holds, is `number`, `complex`, `world`, `tets`, `boxes`, `overlay`,
 //! `orders`, `lift` and `separate`: under 900 lines of code (`tests/size.rs` counts them). Around it are the readers: `line`
-//! and `parse` (the grammar), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the two.
+//! and `parse` (the grammar), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the two;
+//! `compose` puts two certificates together.
 //!
 //! Certificates about meshes without a shell (`MESHES.md`) have a core of their own in `meshes`.
 
@@ -19,6 +20,7 @@ macro_rules! ensure {
 
 mod boxes;
 mod complex;
+mod compose;
 mod hdf5;
 mod input;
 mod lift;
@@ -110,6 +112,26 @@ pub fn check_files<P: AsRef<Path>>(cert: &Path, inputs: &[P]) -> Outcome {
             .map(Cow::Owned)
     };
     outcome(load_cert(cert).and_then(|bytes| run(&bytes, load)))
+}
+
+/// Checks that two certificates together prove a homeomorphism from mesh A to mesh B (FORMAT section 7): both are valid on
+/// the same shell file, with one vertex order, and certify `bijection`.
+pub fn compose(certs: [&[u8]; 2], shell: &[u8], meshes: [&[u8]; 2]) -> Outcome {
+    outcome(compose::run(certs, shell, meshes))
+}
+
+/// The same for five files: the certificates of A and of B, the shell, A and B.
+pub fn compose_files<P: AsRef<Path>>(files: &[P]) -> Outcome {
+    let read = || match files {
+        [a_cert, b_cert, shell, a, b] => {
+            let certs = [load_cert(a_cert.as_ref())?, load_cert(b_cert.as_ref())?];
+            let input = |path: &P| load(path.as_ref(), (1 << 30) + 1, "input");
+            let (shell, meshes) = (input(shell)?, [input(a)?, input(b)?]);
+            compose::run(certs.each_ref().map(Vec::as_slice), &shell, meshes.each_ref().map(Vec::as_slice))
+        }
+        _ => malformed("usage", "compose wants five files: A.cert B.cert SHELL A B"),
+    };
+    outcome(read())
 }
 
 fn load_cert(path: &Path) -> Res<Vec<u8>> {

@@ -7,10 +7,12 @@ const HELP: &str = "\
 Checks a homeo certificate against the files that it is about (certs/FORMAT.md).
 
 Usage: homeo-check CERTIFICATE INPUT...
+       homeo-check compose A.cert B.cert SHELL A B
 
 INPUT: one HDF5 shell that also holds the mesh; or an HDF5 shell and a mesh (OFF, OBJ);
        or the bottom, middle and top meshes of a shell; or these three and the mesh.
        For a certificate about meshes (certs/MESHES.md): one or two meshes (OFF, OBJ, complex files).
+compose: do the certificates of A and of B on one shell prove a homeomorphism from A to B?
 
 Exit code: 0 valid, 1 invalid, 2 malformed or unreadable, 3 limit reached.
 ";
@@ -37,7 +39,11 @@ fn answer(arguments: &[std::ffi::OsString]) -> (String, u8) {
         }
         (None, None) => return ("malformed usage : no certificate given, see --help\n".to_owned(), 2),
     };
-    let outcome = homeo_certs::check_files(cert.as_ref(), inputs);
+    let outcome = if cert == "compose" {
+        homeo_certs::compose_files(inputs)
+    } else {
+        homeo_certs::check_files(cert.as_ref(), inputs)
+    };
     let mut text = [outcome.status, outcome.code].join(" ").trim_end().to_owned();
     if !outcome.message.is_empty() {
         text.extend([" : ", &outcome.message.replace('\n', " ")]);

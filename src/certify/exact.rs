@@ -185,6 +185,12 @@ pub(crate) fn cut(polygon: &[Weights], values: &Vec3) -> Vec<Weights> {
 }
 
 impl ExactPiece {
+    /// The half spaces whose intersection with the triangle's plane is the part in the closed tet, which is positive:
+    /// linear functions on weights, not negative inside.
+    pub(crate) fn half_spaces(&self) -> &[Vec3; 4] {
+        &self.volumes
+    }
+
     /// The polygon in the triangle cut with the closed tet, whichever its orientation; empty when they do not meet or
     /// when the tet is flat.
     pub(crate) fn cut_with_tet(&self, polygon: &[Weights]) -> Vec<Weights> {

@@ -136,6 +136,16 @@ struct Candidate {
     polygon: Polygon,
 }
 
+/// A piece looked at alone, apart from any lift.
+pub(crate) struct LonePiece {
+    /// The lines through its corners, in the orientation of the triangle.
+    pub(crate) masks: Vec<Mask>,
+    /// Does it count as a piece of this tet under the half-open rule?
+    pub(crate) counts: bool,
+    /// What is wrong with it, each reason once.
+    pub(crate) reasons: Vec<Reason>,
+}
+
 /// The mesh and the complex that it is lifted into.
 #[derive(Clone, Copy)]
 pub(crate) struct Lifting<'a> {
@@ -144,6 +154,39 @@ pub(crate) struct Lifting<'a> {
 }
 
 impl Lifting<'_> {
+    /// The part of `face` with area in the closed `tet`, with everything that is wrong there.
+    pub(crate) fn lone_piece(&self, face: u32, tet: u32) -> Option<LonePiece> {
+        let polygon = clip(self.mesh.points(face), self.complex.points(tet))?;
+        let counts = self.piece(face, tet).is_some();
+        let corners = polygon.corners();
+        let names = |mask: Mask| self.carriers(face, tet, mask);
+        let mut reasons = Vec::new();
+        if counts && !self.dot(face, tet).is_positive() {
+            reasons.push(Reason::Fold);
+        }
+        let cap = corners.iter().position(|c| self.complex.in_cap(names(c.mask).shell()));
+        reasons.extend(cap.map(|corner| Reason::Cap { corner: corner as u8 }));
+        for (side, corner) in corners.iter().enumerate() {
+            let common = corner.mask & corners[(side + 1) % corners.len()].mask;
+            reasons.extend(self.lone_side(face, &names(common), common, side as u8));
+        }
+        Some(LonePiece { masks: corners.iter().map(|c| c.mask).collect(), counts, reasons })
+    }
+
+    fn lone_side(&self, face: u32, along: &Carriers, common: Mask, side: u8) -> Option<Reason> {
+        if self.complex.in_cap(along.shell()) {
+            return Some(Reason::CapSide { side });
+        }
+        let on_wall = self.complex.in_boundary_wall(along.shell());
+        let mesh_side = common & SIDES;
+        let on_edge = mesh_side != 0 && self.mesh.across(face, mesh_side.trailing_zeros()).is_none();
+        match (on_edge, on_wall) {
+            (true, false) => Some(Reason::Boundary { side }),
+            (false, true) => Some(Reason::Wall { side }),
+            _ => None,
+        }
+    }
+
     /// The piece of `face` in `tet`, under the half-open rule.
     fn piece(&self, face: u32, tet: u32) -> Option<Candidate> {
         let polygon = clip(self.mesh.points(face), self.complex.points(tet))?;

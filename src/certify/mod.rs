@@ -7,24 +7,28 @@
 mod claim;
 mod clip;
 pub(crate) mod complex;
+pub(crate) mod coverage;
 pub(crate) mod disjoint;
 mod error;
 pub(crate) mod exact;
 pub(crate) mod i2;
-mod lift;
+pub(crate) mod lift;
+pub mod nested;
 mod observer;
 mod orders;
-mod pairs;
-mod path;
+pub(crate) mod pairs;
+pub(crate) mod path;
 pub mod pl;
-mod point;
+pub(crate) mod point;
+pub(crate) mod polygon;
 pub(crate) mod positivity;
 pub(crate) mod prisms;
 mod proof;
 mod section;
 mod separate;
+pub(crate) mod survey;
 mod witness;
-mod write;
+pub(crate) mod write;
 
 #[cfg(test)]
 mod tests;

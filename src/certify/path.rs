@@ -25,8 +25,18 @@ impl Lifting<'_> {
     pub(crate) fn exact_corners(&self, lift: &Lift, piece: u32) -> Result<Vec<ExactCorner>, CertifyError> {
         let masks: Vec<Mask> = lift.corners_of(piece).iter().map(|(mask, _)| *mask).collect();
         let record = lift.pieces[piece as usize];
-        let tet = self.complex.tets[record.tet as usize];
-        let exact = ExactPiece::new(self.mesh.points(record.face), self.complex.points(record.tet));
+        self.exact_polygon(record.face, record.tet, &masks)
+    }
+
+    /// All corners of the polygon of a triangle in a tet, exactly.
+    pub(crate) fn exact_polygon(
+        &self,
+        face: u32,
+        tet: u32,
+        masks: &[Mask],
+    ) -> Result<Vec<ExactCorner>, CertifyError> {
+        let exact = ExactPiece::new(self.mesh.points(face), self.complex.points(tet));
+        let tet = self.complex.tets[tet as usize];
         let prism = self.complex.shell.faces[tet.prism as usize];
         let corner = |mask: &Mask| {
             let weights = exact.weights(*mask).ok_or_else(|| broken("corner without two crossing lines"))?;
@@ -47,18 +57,7 @@ impl Lifting<'_> {
         v: &Violation,
     ) -> Result<(MeshPoint, Ending), CertifyError> {
         let corners = self.exact_corners(lift, v.piece)?;
-        let all: Vec<[RBig; 3]> = corners.into_iter().map(|c| c.weights).collect();
-        let side = |s: u8| {
-            let s = usize::from(s);
-            mean(&[all[s].clone(), all[(s + 1) % all.len()].clone()])
-        };
-        let (weights, ending) = match v.reason {
-            Reason::Cap { corner } => (all[usize::from(corner)].clone(), Ending::Cap),
-            Reason::CapSide { side: s } => (side(s), Ending::Cap),
-            Reason::Wall { side: s } => (side(s), Ending::Wall),
-            Reason::Boundary { side: s } => (side(s), Ending::Boundary),
-            Reason::Fold => (mean(&all), Ending::Fold),
-        };
+        let (weights, ending) = shown_at(&corners, v.reason);
         Ok((MeshPoint { face: lift.pieces[v.piece as usize].face, weights }, ending))
     }
 
@@ -94,6 +93,22 @@ impl Lifting<'_> {
             to.map(|v| from.iter().position(|&u| u == v).map_or(RBig::ZERO, |i| weights[i].clone()));
         let tet = self.complex.sorted_names(record.tet);
         Ok(Step { face: record.face, weights: to_integers(&weights), tet })
+    }
+}
+
+/// The point of a polygon at which a reason shows, and its kind.
+pub(crate) fn shown_at(corners: &[ExactCorner], reason: Reason) -> ([RBig; 3], Ending) {
+    let all: Vec<[RBig; 3]> = corners.iter().map(|c| c.weights.clone()).collect();
+    let side = |s: u8| {
+        let s = usize::from(s);
+        mean(&[all[s].clone(), all[(s + 1) % all.len()].clone()])
+    };
+    match reason {
+        Reason::Cap { corner } => (all[usize::from(corner)].clone(), Ending::Cap),
+        Reason::CapSide { side: s } => (side(s), Ending::Cap),
+        Reason::Wall { side: s } => (side(s), Ending::Wall),
+        Reason::Boundary { side: s } => (side(s), Ending::Boundary),
+        Reason::Fold => (mean(&all), Ending::Fold),
     }
 }
 

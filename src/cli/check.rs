@@ -12,7 +12,7 @@ use crate::shell::hdf5;
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The certificate, then its inputs: a shell file; a shell file and a mesh; bottom, middle and top mesh; or these
-    /// three and a mesh
+    /// three and a mesh. Or `compose A.cert B.cert SHELL A B`
     #[arg(value_name = "CERT INPUT...")]
     files: Vec<PathBuf>,
 }
@@ -23,7 +23,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
         output::print("malformed usage : no certificate given, see --help\n")?;
         return Ok(ExitCode::from(2));
     };
-    let outcome = homeo_certs::check_files(certificate, inputs);
+    let outcome = if certificate.as_os_str() == "compose" {
+        homeo_certs::compose_files(inputs)
+    } else {
+        homeo_certs::check_files(certificate, inputs)
+    };
     output::print(&answer(&outcome))?;
     Ok(ExitCode::from(outcome.exit))
 }

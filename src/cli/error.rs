@@ -1,5 +1,9 @@
 //! Usage and input errors: everything that ends with exit code 2.
 
+use std::path::Path;
+
+use crate::audit::AuditError;
+use crate::audit::batch::JournalError;
 use crate::certify::CertifyError;
 use crate::construct::BuildError;
 use crate::construct::optimise::checkpoint::CheckpointError;
@@ -159,6 +163,23 @@ pub enum CliError {
         /// The first of them.
         first: u32,
     },
+    /// No verdict of an audit.
+    #[error("{files}: {source}")]
+    Audit {
+        /// The input files.
+        files: String,
+        /// The reason.
+        source: Box<AuditError>,
+    },
+    /// Results of audits could not be read or recorded.
+    #[error(transparent)]
+    Journal(#[from] JournalError),
+    /// The user pressed Ctrl-C during audits of a manifest.
+    #[error("interrupted after {results} results, which are kept; --resume goes on")]
+    Stopped {
+        /// How many results there are.
+        results: usize,
+    },
     /// The user pressed Ctrl-C.
     #[error("interrupted; nothing was written")]
     Interrupted,
@@ -168,4 +189,21 @@ pub enum CliError {
     /// The worker threads could not be started.
     #[error("--threads: {0}")]
     Threads(String),
+}
+
+/// An audit's error with the files that it is about.
+pub(super) fn of_audit(source: AuditError, files: &[&Path]) -> CliError {
+    if source.is_interruption() {
+        return CliError::Interrupted;
+    }
+    let files = files.iter().map(|f| f.display().to_string()).collect::<Vec<_>>().join(", ");
+    CliError::Audit { files, source: Box::new(source) }
+}
+
+/// A failure to record is one of writing.
+pub(super) fn of_journal(source: JournalError) -> CliError {
+    match source {
+        JournalError::Io { file, source } => CliError::Write { file, reason: source.to_string() },
+        source => CliError::Journal(source),
+    }
 }

@@ -7,6 +7,8 @@
 // Errors here end the process: their size does not matter.
 #![allow(clippy::result_large_err)]
 
+mod audit;
+mod audit_batch;
 mod build;
 mod build_report;
 mod certify;
@@ -49,6 +51,10 @@ enum Command {
     Certify(certify::Args),
     /// Build a shell around a mesh, optimise it, and write it with its certificate
     Build(build::Args),
+    /// Is a remeshed surface provably bijective to the original; is a cage nested? Many at a time with --manifest
+    Audit(audit::Args),
+    /// Join files of results of `audit --manifest --shard`
+    Merge(audit_batch::MergeArgs),
     /// Check a certificate against its input files (the same as `homeo-check`)
     Check(check::Args),
     /// Project points along a shell, exactly
@@ -79,6 +85,8 @@ pub fn main() -> ExitCode {
     let done = match cli.command {
         Command::Demo(args) => demo::run(&args),
         Command::Build(args) => build::run(args),
+        Command::Audit(args) => audit::run(&args),
+        Command::Merge(args) => audit_batch::merge(&args),
         Command::Convert(args) => convert::run(&args),
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),

@@ -45,7 +45,9 @@ pub use error::{Fault, MeshError, Place};
 pub use format::{Format, MeshFile, parse, parse_complex, read, read_as, read_complex};
 pub use rational::read_rational;
 pub use uv::{UvError, UvMesh, read_uv};
-pub use validate::{Defect, DefectKind, LISTED, MeshInfo, Report, ValidMesh, check, mesh_info, validate};
+pub use validate::{
+    Defect, DefectKind, LISTED, MeshInfo, Report, ValidMesh, check, mesh_info, validate, validate_listing,
+};
 pub use write::{encode, write};
 
 /// A triangle mesh: `vertices[i]` are finite `f64` coordinates, `faces[k]` three vertex indices in

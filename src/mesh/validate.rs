@@ -271,7 +271,15 @@ impl<'a> ValidMesh<'a> {
 /// # Errors
 /// [`MeshError::TooManyFaces`] only.
 pub fn validate(mesh: &TriMesh) -> Result<Report, MeshError> {
-    examine(mesh).map(|(report, _)| report)
+    validate_listing(mesh, LISTED)
+}
+
+/// As [`validate`], with up to `limit` defects of each kind listed.
+///
+/// # Errors
+/// [`MeshError::TooManyFaces`] only.
+pub fn validate_listing(mesh: &TriMesh, limit: usize) -> Result<Report, MeshError> {
+    examine(mesh, limit).map(|(report, _)| report)
 }
 
 /// Facts about a mesh, defect counts included. O(n log n).
@@ -287,7 +295,7 @@ pub fn mesh_info(mesh: &TriMesh) -> Result<MeshInfo, MeshError> {
 /// # Errors
 /// [`MeshError::Invalid`] with the first defect, [`MeshError::TooManyFaces`].
 pub fn check(mesh: &TriMesh) -> Result<ValidMesh<'_>, MeshError> {
-    let (report, connectivity) = examine(mesh)?;
+    let (report, connectivity) = examine(mesh, LISTED)?;
     match report.first() {
         Some(defect) => Err(MeshError::Invalid(defect.clone())),
         None => Ok(ValidMesh { mesh, connectivity, info: report.info }),
@@ -305,8 +313,8 @@ pub(super) fn indices_in_range(vertices: usize, faces: &[[u32; 3]]) -> Result<()
 }
 
 /// Defects found so far: counts, and the first few of each kind.
-#[derive(Default)]
 struct Findings {
+    limit: usize,
     listed: Vec<Defect>,
     counts: Vec<(DefectKind, u64)>,
 }
@@ -319,14 +327,14 @@ impl Findings {
             Some((last, n)) if *last == kind => *n += 1,
             _ => self.counts.push((kind, 1)),
         }
-        if self.counts.last().is_some_and(|(_, n)| *n <= LISTED as u64) {
+        if self.counts.last().is_some_and(|(_, n)| *n <= self.limit as u64) {
             self.listed.push(defect);
         }
     }
 }
 
-fn examine(mesh: &TriMesh) -> Result<(Report, Connectivity), MeshError> {
-    let mut found = Findings::default();
+fn examine(mesh: &TriMesh, limit: usize) -> Result<(Report, Connectivity), MeshError> {
+    let mut found = Findings { limit, listed: Vec::new(), counts: Vec::new() };
     let ids = elements(mesh, &mut found);
     let sound: Vec<[u32; 3]> = ids.iter().map(|&f| mesh.faces[f]).collect();
     let connectivity = Connectivity::new(mesh.vertices.len(), &sound)?;

@@ -60,7 +60,7 @@ pub struct Side {
     pub witnesses: Vec<Witness>,
     /// Numbers.
     pub facts: Facts,
-    pub(super) separations: Vec<(u32, u32, Vec<PlaneName>)>,
+    pub(in crate::certify) separations: Vec<(u32, u32, Vec<PlaneName>)>,
 }
 
 /// Numbers about one input.
@@ -157,7 +157,7 @@ pub fn side_facts(complex: &Complex, observer: &dyn Observer) -> Result<Side, Pl
     }
 }
 
-pub(super) fn facets(complex: &Complex) -> Result<Facets<'_>, PlError> {
+pub(in crate::certify) fn facets(complex: &Complex) -> Result<Facets<'_>, PlError> {
     let cells = &complex.cells;
     if cells.is_empty() {
         return Err(PlError::NoCells);

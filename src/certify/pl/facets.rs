@@ -3,27 +3,27 @@
 use crate::mesh::Cells;
 
 /// The corners of a facet in ascending order; edges have [`NONE`] as the third.
-pub(super) type Key = [u32; 3];
+pub(in crate::certify) type Key = [u32; 3];
 
 /// No vertex.
-pub(super) const NONE: u32 = u32::MAX;
+pub(in crate::certify) const NONE: u32 = u32::MAX;
 
 /// Facets as corners of their cell, in orientation order.
 const OF_TRIANGLE: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 const OF_TET: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
 /// A partition of `0..n`.
-pub(super) struct Parts {
+pub(in crate::certify) struct Parts {
     parent: Vec<u32>,
 }
 
 impl Parts {
-    pub(super) fn new(n: usize) -> Self {
+    pub(in crate::certify) fn new(n: usize) -> Self {
         Self { parent: (0..u32::try_from(n).unwrap_or(u32::MAX)).collect() }
     }
 
     /// The smallest member of the part.
-    pub(super) fn root(&mut self, mut i: u32) -> u32 {
+    pub(in crate::certify) fn root(&mut self, mut i: u32) -> u32 {
         while self.parent[i as usize] != i {
             let up = self.parent[self.parent[i as usize] as usize];
             self.parent[i as usize] = up;
@@ -32,21 +32,21 @@ impl Parts {
         i
     }
 
-    pub(super) fn join(&mut self, i: u32, j: u32) {
+    pub(in crate::certify) fn join(&mut self, i: u32, j: u32) {
         let (i, j) = (self.root(i), self.root(j));
         self.parent[i.max(j) as usize] = i.min(j);
     }
 }
 
 /// All facets of a list of cells, sorted by their vertices. Facet `k` of cell `c` has the number `K c + k`.
-pub(super) struct Facets<'a> {
-    pub(super) cells: &'a Cells,
+pub(in crate::certify) struct Facets<'a> {
+    pub(in crate::certify) cells: &'a Cells,
     sorted: Vec<(Key, u32)>,
 }
 
 impl<'a> Facets<'a> {
     /// The caller has checked that `6 M` fits `u32`. O(M log M).
-    pub(super) fn new(cells: &'a Cells) -> Self {
+    pub(in crate::certify) fn new(cells: &'a Cells) -> Self {
         let k = cells.corners();
         let count = u32::try_from(cells.len() * k).unwrap_or(u32::MAX);
         let mut facets = Self { cells, sorted: Vec::new() };
@@ -56,28 +56,28 @@ impl<'a> Facets<'a> {
     }
 
     /// Corners of a cell.
-    pub(super) fn k(&self) -> usize {
+    pub(in crate::certify) fn k(&self) -> usize {
         self.cells.corners()
     }
 
     /// The cell of a facet.
-    pub(super) fn cell(&self, facet: u32) -> u32 {
+    pub(in crate::certify) fn cell(&self, facet: u32) -> u32 {
         facet / self.k() as u32
     }
 
     /// The positions of a facet's corners in its cell.
-    pub(super) fn places(&self, facet: u32) -> &'static [usize] {
+    pub(in crate::certify) fn places(&self, facet: u32) -> &'static [usize] {
         let at = facet as usize % self.k();
         if self.k() == 3 { &OF_TRIANGLE[at] } else { &OF_TET[at] }
     }
 
     /// The vertices of a facet, in orientation order.
-    pub(super) fn vertices(&self, facet: u32) -> Vec<u32> {
+    pub(in crate::certify) fn vertices(&self, facet: u32) -> Vec<u32> {
         let cell = self.cells.cell(self.cell(facet) as usize);
         self.places(facet).iter().map(|&i| cell[i]).collect()
     }
 
-    pub(super) fn key(&self, facet: u32) -> Key {
+    pub(in crate::certify) fn key(&self, facet: u32) -> Key {
         let mut key = [NONE; 3];
         for (k, v) in key.iter_mut().zip(self.vertices(facet)) {
             *k = v;
@@ -87,26 +87,26 @@ impl<'a> Facets<'a> {
     }
 
     /// Facets with the same vertices, ascending.
-    pub(super) fn groups(&self) -> impl Iterator<Item = &[(Key, u32)]> {
+    pub(in crate::certify) fn groups(&self) -> impl Iterator<Item = &[(Key, u32)]> {
         self.sorted.chunk_by(|a, b| a.0 == b.0)
     }
 
     /// Do two facets with the same vertices run the same way round?
-    pub(super) fn same_way(&self, f: u32, g: u32) -> bool {
+    pub(in crate::certify) fn same_way(&self, f: u32, g: u32) -> bool {
         let (f, g) = (self.vertices(f), self.vertices(g));
         let shift = g.iter().position(|v| f.first() == Some(v)).unwrap_or(0);
         f.iter().enumerate().all(|(i, v)| g[(i + shift) % g.len()] == *v) && (f.len() == 3 || shift == 0)
     }
 
     /// Facets of one cell only, ascending.
-    pub(super) fn boundary(&self) -> Vec<u32> {
+    pub(in crate::certify) fn boundary(&self) -> Vec<u32> {
         let mut out: Vec<u32> = self.groups().filter(|g| g.len() == 1).map(|g| g[0].1).collect();
         out.sort_unstable();
         out
     }
 
     /// The smallest cell of each cell's component.
-    pub(super) fn components(&self) -> Vec<u32> {
+    pub(in crate::certify) fn components(&self) -> Vec<u32> {
         let mut parts = Parts::new(self.cells.len());
         for group in self.groups() {
             for pair in group.windows(2) {
@@ -117,7 +117,7 @@ impl<'a> Facets<'a> {
     }
 
     /// The smallest facet of every boundary component: facets joined at vertices (triangles) or edges (tets).
-    pub(super) fn boundary_roots(&self, boundary: &[u32]) -> Vec<u32> {
+    pub(in crate::certify) fn boundary_roots(&self, boundary: &[u32]) -> Vec<u32> {
         let mut joints: Vec<([u32; 2], u32)> = Vec::new();
         for (i, &facet) in boundary.iter().enumerate() {
             let v = self.vertices(facet);

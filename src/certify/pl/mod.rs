@@ -12,16 +12,16 @@
 mod apart;
 mod canonical;
 mod correspondence;
-mod decide;
-mod facets;
+pub(super) mod decide;
+pub(super) mod facets;
 mod least;
 mod once;
 mod plane;
 mod points;
 mod signs;
-mod sound;
+pub(super) mod sound;
 mod witness;
-mod write;
+pub(super) mod write;
 
 #[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@ use super::facets::{Facets, NONE, Parts};
 use super::witness::Witness;
 
 /// One reason of the first kind for which a complex is not sound, or `None`. O(M log M).
-pub(super) fn defect(facets: &Facets<'_>, vertices: usize) -> Option<Witness> {
+pub(in crate::certify) fn defect(facets: &Facets<'_>, vertices: usize) -> Option<Witness> {
     repeated(facets)
         .or_else(|| twin(facets))
         .or_else(|| crowded(facets))

@@ -12,10 +12,10 @@ use super::witness::Input;
 use crate::mesh::Complex;
 
 /// Most witness lines in a file.
-pub(super) const LINES: usize = 100;
+pub(in crate::certify) const LINES: usize = 100;
 
 /// One line about an input, with the hash of its complex file.
-fn input(name: Input, complex: &Complex, text: &str) -> String {
+pub(in crate::certify) fn input(name: Input, complex: &Complex, text: &str) -> String {
     let mut hash = String::new();
     for byte in Sha256::digest(text.as_bytes()) {
         let _ = write!(hash, "{byte:02x}");
@@ -29,7 +29,7 @@ fn input(name: Input, complex: &Complex, text: &str) -> String {
     )
 }
 
-fn plane(input: Input, plane: &PlaneName) -> String {
+pub(in crate::certify) fn plane(input: Input, plane: &PlaneName) -> String {
     let points = |points: &[PointName]| {
         let names = points.iter().map(|p| match p {
             PointName::Mesh(v) => format!("{input}{v}"),
@@ -45,7 +45,11 @@ fn plane(input: Input, plane: &PlaneName) -> String {
 }
 
 /// The whole file.
-pub(super) fn certificate(claim: &str, verdict: Verdict, sides: &[(Input, &Complex, &Side)]) -> String {
+pub(in crate::certify) fn certificate(
+    claim: &str,
+    verdict: Verdict,
+    sides: &[(Input, &Complex, &Side)],
+) -> String {
     let mut out = format!("homeo-meshes 1\nclaim {claim} {verdict}\n");
     for (name, complex, _) in sides {
         out += &input(*name, complex, &super::complex_file(complex));

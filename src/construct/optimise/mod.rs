@@ -144,8 +144,9 @@ pub fn optimise_locally(
 }
 
 /// As [`optimise`], with a second mesh near the first that is to become a section of the shell, too: no operation makes
-/// the shell hold the partner less than before, and pillars are moved, and prisms split, for its sake. That the partner
-/// is a section in the end is not promised: certify it.
+/// the shell hold the partner less than before, and pillars are moved, and prisms split, for its sake. It ends with the
+/// round after which both seem to be sections, however fine the shell is then. That the partner is a section in the end
+/// is not promised: certify it.
 ///
 /// # Errors
 /// Those of [`Optimiser::new`], for both meshes.

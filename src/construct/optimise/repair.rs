@@ -106,7 +106,7 @@ pub(crate) fn is_wanted(state: &State, partner: &Partner<'_>, [u, w]: [u32; 2]) 
 pub(crate) fn split(state: &State, rules: &Rules<'_>, [u, w]: [u32; 2]) -> Option<Change> {
     let partner = rules.judge.partner.as_ref()?;
     split::worst(state, u, w)?;
-    let shares = [1.0, 0.5, 0.25];
+    let shares = [1.0, 0.75, 0.5, 0.35, 0.25];
     let mut options: Vec<(f64, Change)> = shares
         .into_iter()
         .filter_map(|share| split::at_middle(state, &rules.judge, &rules.limits, [u, w], share))

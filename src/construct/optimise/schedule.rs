@@ -160,6 +160,11 @@ impl Position {
     }
 
     fn next_round(&mut self, work: &mut Work<'_>, polish: u32) {
+        // A joint shell is wanted for the two meshes that it holds, not for being coarse.
+        if work.rules.judge.partner.is_some() && !work.violates_partner() {
+            self.phase = Phase::Done;
+            return;
+        }
         let live = work.state.live;
         let rounds = match self.phase {
             Phase::Polish(rounds) => rounds.saturating_add(1),

@@ -1,0 +1,259 @@
+//! Small pairs with known answers. Every document is accepted by the independent checker before `audit` returns; what is
+//! tested here is that the answer is the right one, and that the violations hold by definition.
+
+use super::report::{AttemptResult, SurveyReport, ViolationKind};
+use super::*;
+use crate::certify::Silent;
+use crate::construct::icosphere;
+use crate::mesh::TriMesh;
+use crate::shell::Shell;
+
+fn subject<'a>(name: &'static str, mesh: &'a TriMesh) -> Subject<'a> {
+    Subject { name, file: format!("{name}.off"), mesh }
+}
+
+fn run(a: &TriMesh, b: &TriMesh, shell: Option<&Shell>) -> Audit {
+    let options = AuditOptions {
+        tries: vec![Try::A, Try::JointA],
+        only_given: shell.is_some(),
+        ..AuditOptions::default()
+    };
+    audit(&[subject("A", a), subject("B", b)], shell, &options, &Silent).unwrap()
+}
+
+/// A shell of radial pillars around the unit icosphere.
+fn radial(level: u32) -> Shell {
+    let middle = icosphere(level);
+    let layer = |s: f64| middle.vertices.iter().map(|p| p.map(|x| x * s)).collect();
+    Shell { bottom: layer(0.8), middle: middle.vertices.clone(), top: layer(1.25), faces: middle.faces }
+}
+
+fn torus(n: u32) -> TriMesh {
+    let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
+    let at = |i: u32, j: u32| (i % n) * n + j % n;
+    let mut mesh = TriMesh::default();
+    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        let r = 3.0 + angle(j).cos();
+        mesh.vertices.push([r * angle(i).cos(), r * angle(i).sin(), angle(j).sin()]);
+        mesh.faces.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+        mesh.faces.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+    }
+    mesh
+}
+
+fn survey(audit: &Audit) -> &SurveyReport {
+    audit.report.attempts.first().and_then(|a| a.surveys.first()).unwrap()
+}
+
+fn kinds(survey: &SurveyReport) -> Vec<ViolationKind> {
+    let mut out: Vec<ViolationKind> = survey.regions.iter().map(|r| r.kind).collect();
+    out.dedup();
+    out
+}
+
+#[test]
+fn a_finer_and_a_coarser_sphere_are_bijective() {
+    let (coarse, fine) = (icosphere(1), icosphere(2));
+    for (a, b) in [(&coarse, &fine), (&fine, &coarse)] {
+        let out = run(a, b, None);
+        assert_eq!(out.report.verdict, AuditVerdict::Bijective, "{}", words(&out.report));
+        let files: Vec<&str> = out.documents.iter().map(|d| d.file.as_str()).collect();
+        assert_eq!(files[..3], ["a.off", "b.off", "same-topology.cert"]);
+        assert_eq!(files[files.len() - 3..], ["shell.h5", "a.cert", "b.cert"]);
+    }
+}
+
+#[test]
+fn compose_refuses_other_shells_orders_and_refutations() {
+    let out = run(&icosphere(1), &icosphere(2), None);
+    let bytes = |name: &str| &out.documents.iter().find(|d| d.file == name).unwrap().bytes[..];
+    let (shell, meshes) = (bytes("shell.h5"), [bytes("a.off"), bytes("b.off")]);
+    let (a, b) = (bytes("a.cert"), bytes("b.cert"));
+    let code = |certs, shell: &[u8], meshes| homeo_certs::compose(certs, shell, meshes).code;
+    assert_eq!(homeo_certs::compose([a, b], shell, meshes).status, "valid");
+    assert_eq!(code([b, a], shell, meshes), "hash");
+    assert_eq!(code([a, b], shell, [meshes[1], meshes[0]]), "hash");
+    // Another shell of which both are sections: its certificate is valid by itself.
+    let other = run(&icosphere(1), &icosphere(2), Some(&radial(1)));
+    let find = |name: &str| &other.documents.iter().find(|d| d.file == name).unwrap().bytes[..];
+    assert_eq!(code([a, find("b.cert")], shell, meshes), "hash");
+    // Another order on the same shell.
+    let in_memory = radial(1);
+    let n = in_memory.middle.len() as u32;
+    let options = crate::certify::Options {
+        claims: vec![crate::certify::Claim::Bijection],
+        order: crate::certify::VertexOrder::List((0..n).rev().collect()),
+    };
+    let turned = crate::certify::certify(&in_memory, Some(&icosphere(2)), &options, &Silent).unwrap();
+    assert!(turned.all_certified());
+    assert_eq!(code([find("a.cert"), turned.certificate.as_bytes()], find("shell.h5"), meshes), "orders");
+    assert_eq!(code([find("a.cert"), b"homeo-meshes 1\nend\n"], find("shell.h5"), meshes), "magic");
+}
+
+#[test]
+fn a_sphere_and_a_torus_are_not_homeomorphic() {
+    let out = run(&icosphere(1), &torus(8), None);
+    assert_eq!(out.report.verdict, AuditVerdict::NotHomeomorphic);
+    assert!(out.report.attempts.is_empty());
+    assert!(out.documents.iter().any(|d| d.file == "same-topology.cert"));
+    let open = {
+        let mut mesh = icosphere(1);
+        mesh.faces.pop();
+        mesh
+    };
+    assert_eq!(run(&icosphere(1), &open, None).report.verdict, AuditVerdict::NotHomeomorphic);
+}
+
+#[test]
+fn a_vertex_pulled_through_is_not_certified_and_the_fold_is_shown() {
+    let mut folded = icosphere(2);
+    // Pulled up and sideways beyond a neighbour: it overhangs, within the shell and without intersections.
+    let moved =
+        folded.faces.iter().find(|f| f.contains(&100)).map(|f| *f.iter().find(|v| **v != 100).unwrap());
+    let to = folded.vertices[moved.unwrap() as usize];
+    let from = folded.vertices[100];
+    let beyond: [f64; 3] = std::array::from_fn(|i| to[i] + 0.6 * (to[i] - from[i]));
+    let radius = beyond.iter().map(|x| x * x).sum::<f64>().sqrt();
+    folded.vertices[100] = beyond.map(|x| 1.2 * x / radius);
+    let out = run(&icosphere(2), &folded, Some(&radial(2)));
+    assert_eq!(out.report.verdict, AuditVerdict::NotCertified, "{}", words(&out.report));
+    assert_eq!(out.report.attempts[0].sections, [Some(true), Some(false)]);
+    let found = survey(&out);
+    let near: Vec<u32> =
+        (0..folded.faces.len() as u32).filter(|&f| folded.faces[f as usize].contains(&100)).collect();
+    assert!(kinds(found).contains(&ViolationKind::Fold), "{}", words(&out.report));
+    assert!(kinds(found).contains(&ViolationKind::CoveredTwice));
+    assert!(!kinds(found).contains(&ViolationKind::NotCovered));
+    for v in found.violations.iter().filter(|v| v.kind == ViolationKind::Fold) {
+        assert!(near.contains(&v.triangle.unwrap()));
+        assert!(v.value.as_ref().unwrap().1.unwrap() <= 0.0);
+    }
+    let folds: usize = found.regions.iter().filter(|r| r.kind == ViolationKind::Fold).count();
+    assert_eq!(folds, 1);
+}
+
+#[test]
+fn a_sphere_outside_covers_nothing_and_is_as_far_away_as_it_is() {
+    let mut large = icosphere(1);
+    large.vertices.iter_mut().for_each(|p| *p = p.map(|x| 4.0 * x));
+    let out = run(&icosphere(1), &large, Some(&radial(1)));
+    let found = survey(&out);
+    assert_eq!(kinds(found), [ViolationKind::Outside, ViolationKind::NotCovered]);
+    // All triangles, wholly; all prisms, wholly; each kind in one piece.
+    assert_eq!(found.regions.len(), 2);
+    assert_eq!((found.regions[0].triangles.len(), found.regions[1].prisms.len()), (80, 80));
+    assert!(found.violations.iter().all(|v| v.share == Some(1.0)));
+    assert!((found.largest_distance_outside.unwrap() - (4.0 - 1.25)).abs() < 1e-9);
+    assert_eq!((found.clean_triangles, found.clean_area_share.to_bits()), (0, 0));
+}
+
+#[test]
+fn the_part_outside_is_exact() {
+    // One spike: its tip is outside, so a share of each triangle at it.
+    let mut spike = icosphere(1);
+    spike.vertices[0] = spike.vertices[0].map(|x| 2.0 * x);
+    let out = run(&icosphere(1), &spike, Some(&radial(1)));
+    let found = survey(&out);
+    let outside: Vec<_> = found.violations.iter().filter(|v| v.kind == ViolationKind::Outside).collect();
+    assert_eq!(outside.len(), 5);
+    for v in outside {
+        assert!(v.share.unwrap() > 0.0 && v.share.unwrap() < 1.0);
+        // The witness is a point of no tet: beyond radius 1.25, which holds the whole shell.
+        let r2: f64 = v.point.approximate.iter().map(|x| x * x).sum();
+        assert!(r2 > 1.0);
+    }
+    assert!((found.largest_distance_outside.unwrap() - 0.75).abs() < 1e-9);
+}
+
+#[test]
+fn an_inside_out_sphere_is_one_fold() {
+    let mut flipped = icosphere(1);
+    flipped.faces.iter_mut().for_each(|f| f.swap(1, 2));
+    let out = run(&icosphere(1), &flipped, Some(&radial(1)));
+    assert_eq!(kinds(survey(&out)), [ViolationKind::Fold, ViolationKind::NotCovered]);
+    assert_eq!(survey(&out).regions.len(), 2);
+    assert_eq!(survey(&out).regions[0].triangles.len(), 80);
+}
+
+#[test]
+fn defects_are_listed_and_self_intersections_too() {
+    let mut fin = icosphere(1);
+    let v = fin.vertices.len() as u32;
+    fin.vertices.push([3.0, 3.0, 3.0]);
+    let [a, b, _] = fin.faces[0];
+    fin.faces.push([a, b, v]);
+    let out = run(&icosphere(1), &fin, None);
+    assert_eq!(out.report.verdict, AuditVerdict::InvalidInput);
+    assert!(out.report.inputs[0].valid && !out.report.inputs[1].valid);
+    assert!(out.report.inputs[1].defects.iter().any(|d| d.kind == "non-manifold-edge"));
+    assert!(out.documents.iter().any(|d| d.file == "b.manifold.cert"));
+    let mut crossing = icosphere(1);
+    crossing.vertices[0] = crossing.vertices[0].map(|x| -2.0 * x);
+    let out = run(&crossing, &icosphere(1), None);
+    assert_eq!(out.report.verdict, AuditVerdict::InvalidInput);
+    assert!(!out.report.inputs[0].self_intersections.is_empty());
+    assert!(out.documents.iter().any(|d| d.file == "a.embedded.cert"));
+    let empty = TriMesh::default();
+    assert_eq!(run(&empty, &empty, None).report.verdict, AuditVerdict::InvalidInput);
+}
+
+#[test]
+fn reports_survive_json_and_are_well_formed() {
+    let mut large = icosphere(0);
+    large.vertices.iter_mut().for_each(|p| *p = p.map(|x| 4.0 * x));
+    let report = run(&icosphere(0), &large, Some(&radial(0))).report;
+    let text = serde_json::to_string(&report).unwrap();
+    let back: AuditReport = serde_json::from_str(&text).unwrap();
+    assert_eq!(serde_json::to_string(&back).unwrap(), text);
+    let points = survey_points(&report);
+    assert!(vtu::vtu(&report).contains(&format!("NumberOfPoints=\"{points}\"")));
+    let junit = junit::junit(&report);
+    assert!(junit.contains("tests=\"4\" failures=\"1\""), "{junit}");
+}
+
+fn survey_points(report: &AuditReport) -> usize {
+    let surveys = report.attempts.iter().flat_map(|a| &a.surveys);
+    surveys.flat_map(|s| &s.violations).map(|v| 1 + usize::from(v.other.is_some())).sum()
+}
+
+#[test]
+fn a_shell_that_is_none_is_a_try_without_verdict() {
+    let out = run(&icosphere(0), &icosphere(1), Some(&Shell::default()));
+    assert_eq!(out.report.verdict, AuditVerdict::NotCertified);
+    assert_eq!(out.report.attempts[0].result, AttemptResult::NoShell);
+}
+
+/// The survey knows nothing of the certifier's lift: both must agree on whether a mesh is a section.
+#[test]
+fn there_are_violations_just_where_the_certifier_refutes() {
+    use crate::certify::{Claim, Options, certify};
+    use crate::mesh::Connectivity;
+    let shell = radial(1);
+    let mut verdicts = [0, 0];
+    for seed in 0..24_u64 {
+        let mut mesh = icosphere(1);
+        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+        let mut random = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state % 2001) as f64 / 1000.0 - 1.0
+        };
+        let size = 0.04 + 0.03 * (seed % 12) as f64;
+        for p in &mut mesh.vertices {
+            *p = p.map(|x| x + size * random());
+        }
+        let connectivity = Connectivity::new(mesh.vertices.len(), &mesh.faces).unwrap();
+        let found = places::places(&subject("B", &mesh), &connectivity, &shell, &Silent).unwrap().unwrap();
+        let options = Options { claims: vec![Claim::Bijection], ..Options::default() };
+        let certified = certify(&shell, Some(&mesh), &options, &Silent).unwrap().all_certified();
+        assert_eq!(found.violations.is_empty(), certified, "seed {seed}");
+        verdicts[usize::from(certified)] += 1;
+        for v in &found.violations {
+            assert_eq!(v.triangle.is_none(), v.kind == ViolationKind::NotCovered);
+        }
+        let in_regions: usize = found.regions.iter().map(|r| r.violations.len()).sum();
+        assert_eq!(in_regions, found.violations.len());
+    }
+    assert!(verdicts.iter().all(|n| *n > 3), "{verdicts:?}");
+}
