@@ -122,6 +122,13 @@ fn what_was_stopped_is_valid_and_goes_on() {
     assert!(String::from_utf8_lossy(&refused.stderr).contains("work: the checkpoint is of another mesh"));
     let own = homeo(dir.path(), &["build", "m.off", "-o", "n.h5", "--checkpoint", "m.off"]);
     assert_eq!(own.status.code(), Some(2), "never over an input");
+    // What is not resumed from is not removed, either.
+    std::fs::write(path("other"), "of somebody else").unwrap();
+    for extra in [&[][..], &["--initial"]] {
+        let args = [&["build", "m.off", "-o", "n.h5", "--checkpoint", "other"], extra].concat();
+        assert_eq!(homeo(dir.path(), &args).status.code(), Some(2), "{extra:?}");
+        assert_eq!(std::fs::read(path("other")).unwrap(), b"of somebody else");
+    }
     assert!(homeo(dir.path(), &KEPT).status.success());
     assert_eq!(std::fs::read(path("s.h5")).unwrap(), std::fs::read(path("whole.h5")).unwrap());
     assert!(!path("work").exists());

@@ -51,7 +51,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "ROUNDS", default_value_t = OptimiseOptions::default().polish)]
     polish: usize,
     /// Keep the initial shell, whose middle surface is the mesh itself, refined
-    #[arg(long)]
+    #[arg(long, conflicts_with = "checkpoint")]
     pub(super) initial: bool,
     /// Stop optimising after so many seconds, with the valid shell reached by then; Ctrl-C does the same
     #[arg(long, value_name = "SECONDS")]

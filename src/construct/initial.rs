@@ -227,9 +227,14 @@ fn no_two_pinched(draft: &Draft) -> Result<(), BuildError> {
 
 /// Half the longest edge of the bounding box: the whole could overflow. Vertices that no triangle uses don't count.
 pub(crate) fn half_box_edge(mesh: &TriMesh) -> f64 {
+    box_edge_times(mesh, 0.5)
+}
+
+/// The longest edge of the bounding box times a factor, which the coordinates are multiplied by first.
+pub(crate) fn box_edge_times(mesh: &TriMesh, factor: f64) -> f64 {
     (0..3)
         .map(|i| {
-            let x = || mesh.faces.iter().flatten().map(|&v| 0.5 * mesh.vertices[v as usize][i]);
+            let x = || mesh.faces.iter().flatten().map(|&v| factor * mesh.vertices[v as usize][i]);
             x().fold(f64::NEG_INFINITY, f64::max) - x().fold(f64::INFINITY, f64::min)
         })
         .fold(0.0, f64::max)

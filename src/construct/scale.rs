@@ -2,7 +2,7 @@
 //! or volume in floats over- or underflows, and scaled back at the end.
 
 use super::gate::BuildError;
-use super::initial::half_box_edge;
+use super::initial::{box_edge_times, half_box_edge};
 use crate::mesh::TriMesh;
 use crate::shell::Shell;
 
@@ -15,9 +15,15 @@ pub(crate) struct Scale {
 impl Scale {
     /// The scale that brings the longest edge of the mesh's bounding box into `[1, 2)`.
     pub(crate) fn of(mesh: &TriMesh) -> Self {
-        // An extent can overflow, half an extent cannot.
-        let half = half_box_edge(mesh);
-        Self { exponent: if half > 0.0 && half.is_finite() { -1 - floor_log2(half) } else { 0 } }
+        // An extent can overflow, half an extent cannot; of the least doubles the half is zero.
+        let (whole, half) = (box_edge_times(mesh, 1.0), half_box_edge(mesh));
+        let is_size = |x: f64| x > 0.0 && x.is_finite();
+        let exponent = match (is_size(whole), is_size(half)) {
+            (true, _) => -floor_log2(whole),
+            (false, true) => -1 - floor_log2(half),
+            (false, false) => 0,
+        };
+        Self { exponent }
     }
 
     /// The mesh, scaled.
@@ -81,4 +87,20 @@ fn times(mut x: f64, mut k: i32) -> f64 {
 fn floor_log2(x: f64) -> i32 {
     let exponent = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023;
     if x < f64::MIN_POSITIVE { exponent(times(x, 100)) - 100 } else { exponent(x) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Scale, TriMesh};
+
+    #[test]
+    fn every_size_is_brought_to_one() {
+        for edge in [5e-324, 1.5e-323, 1e-310, 1e-300, 1.0, 3.0, 1e300, 1.7e308] {
+            let vertices = vec![[-edge, 0.0, 0.0], [0.0, edge, 0.0], [edge, 0.0, 0.0]];
+            let mesh = TriMesh { vertices, faces: vec![[0, 1, 2]] };
+            let scaled = Scale::of(&mesh).mesh(&mesh).unwrap();
+            let width = scaled.vertices[2][0] - scaled.vertices[0][0];
+            assert!((1.0..2.0).contains(&width), "{edge:e}: {width}");
+        }
+    }
 }

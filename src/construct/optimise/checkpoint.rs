@@ -24,7 +24,7 @@ use crate::shell::validate::{self, ShellError};
 const MAGIC: &[u8; 16] = b"homeo checkpoint";
 /// To be raised with every change of the format, and of the optimisation: a checkpoint leads to the same result as
 /// the uninterrupted run only in the program that wrote it.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 const HASH: usize = 32;
 const HEADER: usize = MAGIC.len() + 4 + 3 * HASH;
 /// Numbers of changes and operations above this are no result of any run.
@@ -104,12 +104,13 @@ pub(super) fn save(optimiser: &Optimiser<'_>) -> Result<Vec<u8>, CheckpointError
     out.extend_from_slice(MAGIC);
     out.extend_from_slice(&VERSION.to_le_bytes());
     out.extend_from_slice(&hash_of_mesh(&rules.judge.mesh));
-    out.extend_from_slice(&hash_of_options(&optimiser.options));
+    out.extend_from_slice(&hash_of_options(&optimiser.options.scaled(optimiser.scale)));
     out.extend_from_slice(&Sha256::digest(&payload));
     out.extend_from_slice(&payload);
     Ok(out)
 }
 
+/// Of the mesh at the size of the work: what a power of two apart is one mesh here, and is built alike.
 fn hash_of_mesh(mesh: &TriMesh) -> [u8; HASH] {
     let mut sha = Sha256::new();
     sha.update((mesh.vertices.len() as u64).to_le_bytes());
@@ -122,7 +123,7 @@ fn hash_of_mesh(mesh: &TriMesh) -> [u8; HASH] {
     sha.finalize().into()
 }
 
-/// Of all options that the result depends on.
+/// Of all options that the result depends on, at the size of the work.
 fn hash_of_options(options: &OptimiseOptions) -> [u8; HASH] {
     let OptimiseOptions { thickness, max_energy, max_angle_degrees, polish, time_limit: _, seed, no_overlap } =
         options;
@@ -148,7 +149,7 @@ pub(super) fn resume<'m>(
 ) -> Result<Optimiser<'m>, CheckpointError> {
     let scale = Scale::of(mesh);
     let mesh = scale.mesh(mesh).map_err(Box::new)?;
-    let payload = payload(&mesh, options, bytes)?;
+    let payload = payload(&mesh, &options.scaled(scale), bytes)?;
     mesh::check(&mesh)?;
     let (saved, rest): (Saved, &[u8]) = postcard::take_from_bytes(payload)
         .map_err(|_| CheckpointError::Damaged("the payload is malformed"))?;

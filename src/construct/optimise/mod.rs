@@ -298,7 +298,7 @@ impl<'m> Optimiser<'m> {
         let Ok(stopped) = self.run(observer, |_| Ok::<(), Infallible>(()));
         let shell = self.shell()?;
         if self.options.no_overlap {
-            // The skin is one half of the claim; the other half, that no part lies within another, is global.
+            // No operation makes an overlap (`Skin::admits`); that is argued for one change at a time, this looks at all.
             overlap::refuse(&shell, &Silent)?;
         }
         Ok(Optimised { shell, counts: self.counts(), stopped })

@@ -60,6 +60,28 @@ fn close_spheres() -> TriMesh {
     joined(sphere, &inner)
 }
 
+/// A square, and a small one just above the middle of it: no skin is crossed by a prism that grows past it at once.
+fn square_below_a_disc() -> TriMesh {
+    let square = |n: u32, side: f64, [x, y, z]: [f64; 3]| {
+        let at = |i: u32, j: u32| i + j * (n + 1);
+        let point = |k: u32| {
+            let [i, j] = [k % (n + 1), k / (n + 1)].map(|i| side * f64::from(i) / f64::from(n));
+            [x + i, y + j, z]
+        };
+        let cells = (0..n * n).map(|k| (k % n, k / n));
+        TriMesh {
+            vertices: (0..(n + 1) * (n + 1)).map(point).collect(),
+            faces: cells
+                .flat_map(|(i, j)| {
+                    let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                    [[a, b, c], [a, c, d]]
+                })
+                .collect(),
+        }
+    };
+    joined(square(16, 1.0, [0.0; 3]), &square(2, 0.004, [0.518, 0.508, 0.01]))
+}
+
 /// A strip rolled up by a turn and a half: a boundary, and sheets that lie on each other.
 fn rolled() -> TriMesh {
     let (turns, rows) = (30u32, 3u32);
@@ -94,6 +116,13 @@ fn close_sheets_overlap_only_where_they_may() {
         assert_eq!(refuted(&apart, &mesh), [], "{name}");
         assert!(2 * apart.faces.len() < mesh.faces.len(), "{name}: {} prisms", apart.faces.len());
     }
+}
+
+#[test]
+fn no_prism_swallows_another_component() {
+    let mesh = square_below_a_disc();
+    assert_eq!(refuted(&build(&mesh, false), &mesh), [Claim::DisjointPrisms]);
+    assert_eq!(refuted(&build(&mesh, true), &mesh), []);
 }
 
 #[test]

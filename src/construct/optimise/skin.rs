@@ -1,12 +1,15 @@
 //! The shell's skin (its bottom and top triangles, and the walls over boundary edges), kept free of self-intersection:
-//! rule (i) of R4 in THEORY. An index finds the triangles near new ones; it reads the shell far from a change, too.
+//! rule 1 of R4 in THEORY, and without a part of it within a prism of another part (rule 2). An index finds the triangles
+//! near new ones; it reads the shell far from a change, too.
 
 use rustc_hash::FxHashMap;
 
 use super::grid::Grid;
 use super::state::{Change, GONE, NEW, State};
 use super::tree::Box3;
-use crate::predicate::{Meeting, orient3d, segment_triangle, triangle_triangle};
+use crate::predicate::{Meeting, orient3d, point_in_tet, segment_triangle, triangle_triangle};
+use crate::shell::Slab;
+use crate::shell::decomposition::{TETS, decomposition_of_index, order_index, order_of_ranks};
 
 /// A triangle of the skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,20 +90,53 @@ impl Skin {
         Self { grid, of }
     }
 
-    /// Does the skin stay free of self-intersection, if it is, when the change is made?
+    /// Does the shell stay free of overlaps, if it is, when a change to positive prisms is made?
+    ///
+    /// Where the skin does not meet itself, a prism overlaps another part of the shell only if that part's skin lies
+    /// within the changed prisms as a whole. (Not the other way round: every part keeps corners.)
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
         // A new vertex has no star yet.
         let star = change.moved.and_then(|(v, _)| state.star.get(v as usize));
         let moved = star.map_or(&[][..], |star| &star[..]);
         let gone = |f: u32| change.remove.contains(&f) || moved.contains(&f);
         let stays = moved.iter().filter(|f| !change.remove.contains(f)).map(|&f| state.faces[f as usize]);
-        let faces = change.add.iter().copied().chain(stays);
-        let new: Vec<Outside> = faces.flat_map(|face| outsides(state, GONE[0], face, Some(change))).collect();
-        new.iter().enumerate().all(|(i, one)| {
+        let faces: Vec<[u32; 3]> = change.add.iter().copied().chain(stays).collect();
+        let new: Vec<Outside> =
+            faces.iter().flat_map(|face| outsides(state, GONE[0], *face, Some(change))).collect();
+        let apart = new.iter().enumerate().all(|(i, one)| {
             let bounds = one.bounds();
             let apart = |other: &Outside| !bounds.meets(&other.bounds());
             new[..i].iter().all(|other| apart(other) || one.fits(other))
                 && self.grid.all(&bounds, |other| gone(other.face) || one.fits(other))
+        });
+        apart && faces.iter().all(|face| self.is_empty_within(state, *face, change, gone))
+    }
+
+    /// Has no tet of the prism over a face, after a change, a corner of the skin that is none of its own?
+    fn is_empty_within(
+        &self,
+        state: &State,
+        face: [u32; 3],
+        change: &Change,
+        gone: impl Fn(u32) -> bool,
+    ) -> bool {
+        let prism = state.prism(face, change.moved.as_ref());
+        let bounds = Box3::of(prism.points());
+        let tets = tets(face);
+        let holds = |(slab, t): (Slab, usize), named: u64, p: &[f64; 3]| {
+            let tet = &TETS[t];
+            let below = u64::from(slab == Slab::Top);
+            let own =
+                |&(k, hi): &(u8, bool)| name(state, face[usize::from(k)], below + u64::from(hi)) == named;
+            !prism.pinched[usize::from(tet.pillar)]
+                && !tet.vertices.iter().any(own)
+                && point_in_tet(p, tet.vertices.map(|v| prism.point(slab, v))).is_some()
+        };
+        self.grid.all(&bounds, |other| {
+            let mut corners = other.names.iter().zip(&other.points);
+            gone(other.face)
+                || corners
+                    .all(|(n, p)| !Box3::of([p]).meets(&bounds) || !tets.iter().any(|&t| holds(t, *n, p)))
         })
     }
 
@@ -133,6 +169,12 @@ impl Skin {
             self.grid.insert(outside.bounds(), outside);
         }
     }
+}
+
+/// The tets of a face's prism in the order by id: slab and index in [`TETS`]. A new vertex will have the largest id.
+fn tets(face: [u32; 3]) -> Vec<(Slab, usize)> {
+    let three = order_index(order_of_ranks(face)).and_then(decomposition_of_index);
+    Slab::BOTH.into_iter().flat_map(|slab| three.into_iter().flatten().map(move |t| (slab, t))).collect()
 }
 
 /// The name of a vertex in a layer: 0, 1, 2 for bottom, middle, top.

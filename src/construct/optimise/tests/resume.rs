@@ -67,6 +67,16 @@ fn checkpoints_of_other_work_are_refused_by_name() {
     ] {
         assert!(matches!(refused(&mesh, &other, &bytes), CheckpointError::OtherOptions));
     }
+    // A mesh of twice the size is the same at the size of the work, but a length is not.
+    let mut twice = mesh.clone();
+    twice.vertices.iter_mut().flatten().for_each(|x| *x *= 2.0);
+    assert!(Optimiser::resume(&twice, &base, &bytes).is_ok());
+    let length =
+        |length| OptimiseOptions { thickness: crate::construct::Thickness::Absolute(length), ..base };
+    let first = initial(&mesh, &InitialOptions::default(), &Silent).unwrap();
+    let absolute = Optimiser::new(&mesh, &first.shell, &length(0.01)).unwrap().checkpoint().unwrap();
+    assert!(matches!(refused(&twice, &length(0.01), &absolute), CheckpointError::OtherOptions));
+    assert!(Optimiser::resume(&twice, &length(0.02), &absolute).is_ok());
     // How long it may take is no matter of the result.
     let soon = OptimiseOptions { time_limit: Some(Duration::ZERO), ..base };
     assert!(Optimiser::resume(&mesh, &soon, &bytes).is_ok());
