@@ -39,7 +39,7 @@ pub struct Recipe {
 }
 
 /// A shell, a mesh, an order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// The shell.
     pub shell: Shell,

@@ -53,7 +53,8 @@ pub(super) struct Args {
     /// Keep the initial shell, whose middle surface is the mesh itself, refined
     #[arg(long, conflicts_with = "checkpoint")]
     pub(super) initial: bool,
-    /// Stop optimising after so many seconds, with the valid shell reached by then; Ctrl-C does the same
+    /// Stop optimising after so many seconds, with the valid shell reached by then; Ctrl-C does the same. The initial shell
+    /// before and the certificate after it take their time, too
     #[arg(long, value_name = "SECONDS")]
     pub(super) time_limit: Option<u64>,
     /// Another order of operations, with another result
@@ -156,6 +157,9 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
         Some(outcome?)
     };
     let mut notes = read.notes;
+    if args.no_certify && certificate.exists() {
+        notes.push(format!("{} is there from before: it is not about this shell", certificate.display()));
+    }
     let mut enclosed = None;
     if args.distance {
         let (found, seconds) = timed(|| measured(&built.shell, &read.mesh, name(), &progress));
