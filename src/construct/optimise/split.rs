@@ -15,7 +15,7 @@ const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// A pillar half shorter than this share of the largest thickness is thin. Chosen by measuring: with 0.1 hardly
 /// anything is thin, with 0.4 there are noticeably more prisms at the end.
-const THIN: f64 = 0.1;
+const THIN: f64 = 0.2;
 
 /// Is there reason to split the edge: a triangle of too high energy, or a thin end?
 pub(crate) fn is_wanted(state: &State, limits: &Limits, [u, w]: [u32; 2]) -> bool {
