@@ -44,8 +44,7 @@ class Browser:
         self.session = attached["sessionId"]
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.call(f"{domain}.enable")
-        size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
-        self.call("Emulation.setDeviceMetricsOverride", size)
+        self.resize(width, height)
 
     def __enter__(self):
         return self
@@ -83,6 +82,10 @@ class Browser:
             self.buffer += part
         first, self.buffer = self.buffer.split(b"\0", 1)
         return json.loads(first)
+
+    def resize(self, width, height):
+        size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+        self.call("Emulation.setDeviceMetricsOverride", size)
 
     def open(self, file):
         """Loads a file and waits until the page says that it has drawn, or cannot; what it says."""

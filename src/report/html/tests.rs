@@ -84,12 +84,13 @@ fn violations_keep_their_exact_texts() {
     let (report, middle, shells) = audited(&stretched, &made.shell, "a.off");
     let survey = &report.attempts[0].surveys[0];
     assert!(!survey.violations.is_empty());
-    let page = scene(&html(&report, [&stretched.mesh, &middle], &shells));
+    let text = html(&report, [&stretched.mesh, &middle], &shells);
+    for (i, violation) in survey.violations.iter().enumerate() {
+        assert!(text.contains(&format!("\"{i}\":{}", escape::json(violation))), "{i}");
+    }
+    let page = scene(&text);
     let found = &page["layers"][0]["findings"];
     assert_eq!(found["count"], survey.violations.len());
-    for (i, violation) in survey.violations.iter().enumerate() {
-        assert_eq!(found["details"][i.to_string()], serde_json::to_value(violation).unwrap());
-    }
     let sizes: Vec<u64> =
         found["regions"].as_array().unwrap().iter().map(|r| r["violations"].as_u64().unwrap()).collect();
     assert!(sizes.is_sorted_by(|a, b| a >= b) && sizes.len() == survey.regions.len());
@@ -113,7 +114,9 @@ fn any_coordinates_fit_the_view() {
         let [low, high] = points.map(|p| frame.view(&p));
         assert!(low.iter().chain(&high).all(|x| x.abs() <= 1.0), "{points:?}: {low:?} {high:?}");
         let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f32::max);
-        assert!(points[0] == points[1] || extent > 0.9, "{points:?}: {extent}");
+        let one = points[0].map(f64::to_bits) == points[1].map(f64::to_bits);
+        assert!(one || extent > 0.9, "{points:?}: {extent}");
     }
-    assert_eq!(Frame::new([].iter()).view(&[f64::NAN, 1.0, 2.0]), [0.0, 1.0, 2.0]);
+    let view = Frame::new([].iter()).view(&[f64::NAN, 1.0, 2.0]);
+    assert_eq!(view.map(f32::to_bits), [0.0_f32, 1.0, 2.0].map(f32::to_bits));
 }

@@ -70,5 +70,6 @@ function readScene(text) {
     }
     return out;
   });
-  return { frame: raw.frame, kinds: raw.kinds, certified: raw.certified, titles: raw.layers.map((l) => l.title), layers };
+  const triangles = meshes.reduce((n, m) => n + m.faces.length / 3, 0);
+  return { triangles, frame: raw.frame, kinds: raw.kinds, certified: raw.certified, titles: raw.layers.map((l) => l.title), layers };
 }

@@ -3,8 +3,8 @@
 const BACKGROUND = [1, 1, 1, 1];
 
 class Renderer {
-  constructor(canvas) {
-    const gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
+  constructor(canvas, antialias) {
+    const gl = canvas.getContext("webgl2", { antialias, alpha: false });
     if (!gl) throw new Error("This browser offers no WebGL 2. The tables above are complete without the view.");
     this.gl = gl;
     this.canvas = canvas;

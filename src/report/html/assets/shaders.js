@@ -40,7 +40,7 @@ void main() {
     colour.rgb = light * (0.62 + 0.38 * clamp(pattern, -1.0, 1.0));
   }
   if (tint.a > 0.5) colour = vec4(tint.rgb, 1.0);
-  if (chosen > 0.0) colour = vec4(1.0, 0.9, 0.1, 1.0);
+  if (chosen > 0.0) colour = vec4(0.5, 1.0, 0.25, 1.0);
   if (colour.a <= 0.0) discard;
   colour.rgb *= 0.5 + 0.5 * abs(dot(normal, normalize(eye - place)));
   vec3 near = corner / max(width, vec3(1e-9));

@@ -3,11 +3,14 @@
 const NUMBERS = ["A", "B", "bottom", "middle", "top"];
 const BASES = { A: [0.72, 0.78, 0.86], B: [0.88, 0.8, 0.66], bottom: [0.25, 0.45, 0.85], middle: [0.6, 0.6, 0.6], top: [0.85, 0.4, 0.25] };
 
+/** Above so many triangles edges are not smoothed: software renderers take four times as long for it. */
+const SMOOTH = 100000;
+
 class Viewer {
   constructor(canvas, scene) {
     this.scene = scene;
     this.canvas = canvas;
-    this.renderer = new Renderer(canvas);
+    this.renderer = new Renderer(canvas, scene.triangles < SMOOTH);
     this.camera = new Camera();
     this.opacity = { A: 1, B: 1, bottom: 0, middle: 0, top: 0 };
     this.hidden = new Set();
