@@ -122,6 +122,15 @@ class Browser:
             self.mouse("mouseMoved", x + dx * k / 4, y + dy * k / 4)
         self.mouse("mouseReleased", x + dx, y + dy)
 
+    def pinch(self, x, y, before, after):
+        """Two fingers, so far apart before and after."""
+        def points(size):
+            return [{"x": x - size / 2, "y": y, "id": 0}, {"x": x + size / 2, "y": y, "id": 1}]
+        steps = [("touchStart", before), *(("touchMove", before + (after - before) * k / 4) for k in range(1, 5))]
+        for kind, size in steps:
+            self.call("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points(size)})
+        self.call("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
     def screenshot(self, file):
         with open(file, "wb") as out:
             out.write(base64.b64decode(self.call("Page.captureScreenshot", {"format": "png"})["data"]))

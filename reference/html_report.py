@@ -132,6 +132,20 @@ class Check:
         self.that(f"{name}: {tried} of {wanted} clicks", False)
 
 
+    def picture(self):
+        """A number that changes with the picture."""
+        return self.browser.value(
+            "(() => { const { canvas, renderer } = homeo.viewer; homeo.viewer.draw(); const n = canvas.width * canvas.height;"
+            " const b = new Uint8Array(4 * n); renderer.gl.readPixels(0, 0, canvas.width, canvas.height, renderer.gl.RGBA,"
+            " renderer.gl.UNSIGNED_BYTE, b); return b.reduce((s, x) => (31 * s + x) % 1000003, 0); })()")
+
+    def put(self, control, value):
+        """Uses a control as a person would: its value, then the event."""
+        key = "checked" if isinstance(value, bool) else "value"
+        self.browser.value(f"(() => {{ const c = document.querySelector({json.dumps(control)});"
+                           f" c.{key} = {json.dumps(value)}; c.dispatchEvent(new Event('input')); }})()")
+
+
 def certified(check):
     meshes = {"A": torus(14, 8), "B": torus(20, 11, 0.5)}
     os.mkdir(os.path.join(check.folder, "<"))
@@ -149,9 +163,12 @@ def certified(check):
     box = v("(({left, top}) => [left, top])(homeo.viewer.canvas.getBoundingClientRect())")
     check.browser.drag(box[0] + 80, box[1] + 80, 60, 30)
     check.that("a drag turns", abs(v("homeo.viewer.camera.yaw") - before) > 0.1)
-    slide = v("(() => { const s = document.getElementById('slide'); s.value = 1; s.dispatchEvent(new Event('input'));"
-              " return homeo.viewer.options.slide; })()")
-    check.that("down to the middle surface", slide == 1)
+    before = v("homeo.viewer.camera.distance")
+    check.browser.pinch(box[0] + 200, box[1] + 300, 100, 150)
+    check.that("a pinch zooms", abs(v("homeo.viewer.camera.distance") / before - 2 / 3) < 0.01)
+    before = check.picture()
+    check.put("#slide", 1)
+    check.that("down to the middle surface", check.picture() != before)
     check.settle()
     check.browser.screenshot(os.path.join(check.folder, "middle.png"))
 
@@ -182,10 +199,34 @@ def violations(check):
     check.settle()
     check.browser.screenshot(os.path.join(check.folder, "audit.png"))  # docs/audit.png
     check.browser.resize(1200, 1000)
-    v("document.getElementById('axis').value = '2'; document.getElementById('axis').dispatchEvent(new Event('input'))")
     v("document.getElementById('whole').click()")
+    v("document.querySelector('main').scrollIntoView()")
+    controls(check)
+    check.put("#axis", "2")
     check.settle()
     check.browser.screenshot(os.path.join(check.folder, "violations.png"))
+
+
+def controls(check):
+    """Each control changes the picture, and changes it back."""
+    before = check.picture()
+    check.that("the same picture twice", check.picture() == before)
+    for control, there, back in [("#legend input", False, True), ("#opacity-B input", 0.5, 1), ("#opacity-top input", 0, 0.1),
+                                 ("#edges", False, True), ("#witnesses", False, True), ("#split", True, False),
+                                 ("#axis", "1", ""), ("#axis", "view", "")]:
+        start = check.picture()
+        check.put(control, there)
+        check.that(f"{control}: {there}", check.picture() != start)
+        check.put(control, back)
+        check.that(f"{control}: {back} again", check.picture() == start)
+    check.put("#axis", "0")
+    check.put("#offset", -1)
+    hit = "homeo.viewer.pickAt(homeo.viewer.canvas.clientWidth / 2 - 150, homeo.viewer.canvas.clientHeight / 2)"
+    check.that("nothing is left of the slice to be clicked", check.browser.value(hit) is None)
+    check.put("#flip", True)
+    check.that("all is there on its other side", check.browser.value(hit) is not None)
+    check.put("#flip", False)
+    check.put("#offset", 0)
 
 
 def far_and_invalid(check):

@@ -58,7 +58,7 @@ function open(viewer, scene, index) {
   viewer.show(index);
   const { findings, carried, surfaces } = viewer.layer;
   const bad = [0, 1].map((m) => findings.mesh.includes(m));
-  const shell = surfaces.bottom ? 0.12 : 0;
+  const shell = surfaces.bottom ? 0.1 : 0;
   const faint = (mesh) => (bad[1 - mesh] && !bad[mesh] ? 0.25 : 1);
   viewer.opacity = { A: faint(0), B: faint(1), bottom: shell, middle: 0, top: shell };
   Object.assign(viewer.options, { checker: carried, split: carried || (bad[0] && bad[1]) });
