@@ -20,6 +20,16 @@ check:
 bench:
     benches/compare.sh
 
+# Build, certify and check every surface of the data; writes benches/dataset.* and benches/RESULTS.md (needs the data)
+dataset *meshes:
+    cargo build --quiet --release --workspace
+    target/release/homeo-dataset {{meshes}}
+
+# Time and memory of building against input size; writes benches/scaling.* and benches/RESULTS.md
+scaling *sizes:
+    cargo build --quiet --release --workspace
+    target/release/homeo-scaling {{sizes}}
+
 # Certify every real shell and check it with both checkers (needs the data)
 verify-shells:
     reference/verify_shells.sh

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use homeo::certify::{Options, Silent, certify};
-use homeo::construct::{InitialOptions, OptimiseOptions, initial, optimise_joint};
+use homeo::construct::{InitialOptions, OptimiseOptions, Thickness, initial, optimise, optimise_joint};
 use homeo::mesh;
 use homeo::shell::Shell;
 use homeo::shell::hdf5::{self, ShellFile};
@@ -32,20 +32,29 @@ fn longest_box_edge(points: &[[f64; 3]]) -> f64 {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let option = |name: &str| args.iter().position(|a| a == name).and_then(|i| args.get(i + 1));
-    let path = args
-        .first()
-        .ok_or("usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [-o FILE.h5]")?;
-    let thick = option("--thickness").map_or(Ok(0.05), |t| t.parse())?;
+    let path = args.first().ok_or(
+        "usage: build_shell MESH [--thickness T] [--angle DEGREES] [--polish N] [--seed N] [-o FILE.h5]",
+    )?;
+    let thick = Thickness::Share(option("--thickness").map_or(Ok(0.05), |t| t.parse())?);
     let angle = option("--angle").map_or(Ok(0.001f64.acos().to_degrees()), |t| t.parse())?;
     let polish = option("--polish").map_or(Ok(20), |t| t.parse())?;
+    let seed = option("--seed").map_or(Ok(0), |t| t.parse())?;
     let mesh = mesh::read(Path::new(path))?.mesh;
     let start = Instant::now();
-    let first = initial(&mesh, &InitialOptions { thickness: thick }, &Silent)?;
+    let first = initial(&mesh, &InitialOptions { thickness: thick, ..InitialOptions::default() }, &Silent)?;
     let middle = start.elapsed().as_secs_f64();
-    let options =
-        OptimiseOptions { thickness: thick, max_angle_degrees: angle, polish, ..OptimiseOptions::default() };
+    let options = OptimiseOptions {
+        thickness: thick,
+        max_angle_degrees: angle,
+        polish,
+        seed,
+        ..OptimiseOptions::default()
+    };
     let partner = option("--partner").map(|p| mesh::read(Path::new(p))).transpose()?.map(|m| m.mesh);
-    let built = optimise_joint(&mesh, partner.as_ref(), &first.shell, &options, &Silent)?;
+    let built = match &partner {
+        Some(partner) => optimise_joint(&mesh, partner, &first.shell, &options, &Silent)?,
+        None => optimise(&mesh, &first.shell, &options, &Silent)?,
+    };
     let seconds = start.elapsed().as_secs_f64();
     let [min, mean] = thickness(&built.shell, longest_box_edge(&mesh.vertices));
     println!(
@@ -56,10 +65,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         built.shell.faces.len(),
         built.counts
     );
-    if let Some(p) = &partner {
-        let outcome = certify(&built.shell, Some(p), &Options::default(), &Silent)?;
+    if let Some(partner) = &partner {
+        let outcome = certify(&built.shell, Some(partner), &Options::default(), &Silent)?;
         for claim in &outcome.claims {
-            print!("PARTNER {} {}; ", claim.claim, claim.verdict);
+            print!("partner: {} {}; ", claim.claim, claim.verdict);
             for r in claim.refutations.iter().take(1) {
                 print!("[{}] ", r.text);
             }

@@ -2,140 +2,14 @@
 """Second, independent checker of homeo certificates: python3 check.py CERT INPUT...
 
 It follows certs/FORMAT.md, version 1, whose sections are cited, and needs only the standard library. All coordinates
-are multiplied by one common power of two: every decision is made on Python integers. A *tag* is an integer that names
-a point: 3 * vertex + layer (b 0, m 1, t 2) for a shell name, ~v for mesh vertex v. inputs.py reads the input files.
+are multiplied by one common power of two: every decision is made on Python integers. certificate.py reads the
+certificate and says what a *tag* is; inputs.py reads the input files.
 """
-import functools, hashlib, itertools, math, re, struct, sys
+import collections, hashlib, itertools, math, struct, sys
+from certificate import CLAIMS, Certificate, Stop, distinct, need
 from inputs import WRONG, read_file, read_inputs
 
-DIGITS = 4000
 chain = itertools.chain.from_iterable
-ascending = lambda items: all(a < b for a, b in zip(items, items[1:]))
-distinct = lambda items: len(set(items)) == len(items)
-class Stop(Exception): pass  # the first failure: kind (`invalid`, `malformed`, `limit`), code, explanation
-def need(condition, code, why="", kind="invalid"):
-    if not condition: raise Stop(kind, code, why)
-
-# ---- section 2, the file, and "Certificate file" of section 3
-CLAIMS = "positivity section bijection section-all-orders disjoint-mesh disjoint-bottom disjoint-top i2".split()
-ID, W, NAME = "(?:0|[1-9][0-9]{0,9})", "(?:0|[1-9][0-9]*)", "[bmt](?:0|[1-9][0-9]{0,9})"
-number = lambda text: int(text[:DIGITS + 2])  # numbers that are cut short are over the limit of digits
-numbers = lambda text: tuple(map(number, text.split(" ")))
-tag = lambda text: ~int(text[1:]) if text[0] == "g" else 3 * int(text[1:]) + "bmt".index(text[0])
-tags = lambda text: tuple(map(tag, text.split(",")))
-FIELDS = {  # kind: regular expression and value of a field
-    **dict.fromkeys("IVTPGCD", (ID, int)),  # any, shell vertex, triangle, prism, mesh vertex, `v`, `c` line
-    "K": ("|".join(CLAIMS), str), "R": ("certified|refuted", str), "H": ("[0-9a-f]{64}", str),
-    "A": (rf"(?!0 0 0\b){W} {W} {W}", numbers), "B": (rf"(?!0 0 0 0\b){W} {W} {W} {W}", numbers),  # weights
-    "J": ("0|-?[1-9][0-9]{0,9}", int),  # INT, and VALUE as (odd, exponent):
-    "X": (r"0|-?(?:[1-9][0-9]*)?[13579](?:\*2\^-?[1-9][0-9]{0,4})?",
-          lambda text: tuple(map(number, (text + "*2^0").split("*2^")[:2]))),
-    "S": (f"{ID}(?:,{ID}){{0,2}}", lambda text: tuple(map(int, text.split(",")))),  # TIDS
-    "N": (f"{NAME}(?:,{NAME})*", tags), "Q": (f"{NAME}(?:,{NAME}){{3}}", tags),  # NAMES, TET, and PLANE:
-    "L": ("(?:p:POINT,|[ln]:)POINT,POINT".replace("POINT", "[bmtg]" + ID), lambda text: (text[0], tags(text[2:])))}
-@functools.lru_cache(None)
-def grammar(spec):  # A line's expression, a group for each field, and its fields (kind, how often if not once)
-    words = [(word[0], word[1:]) if word[0] in FIELDS else ("", word) for word in spec.split(" ")]
-    field = lambda one, times: f"((?: (?:{one})){times})" if times else f" ({one})"
-    parts = [field(FIELDS[kind][0], rest) if kind else " " + rest for kind, rest in words]
-    return re.compile(("\n" + "".join(parts)[1:] + "(?=\n)").encode()), [word for word in words if word[0]]
-
-class Certificate:  # what it says: `claims`, `shell`, `mesh`, `order`, `pinched`, `blocks`
-    def __init__(self, data):
-        self.data, self.at, self.row, self.bound, self.blocks, counts = data, 19, 1, {}, {}, []
-        self.ok(not re.search(rb"[^\n\x20-\x7e]", data), "bytes")
-        self.ok(data == b"end\n" or data.endswith(b"\nend\n"), "truncated")
-        self.ok(data.startswith(b"homeo-certificate 1\n"), "magic")
-        claims = list(self.each("claim K R"))
-        self.ok(ascending([CLAIMS.index(name) for name, _ in claims]))
-        self.claims = dict(claims)
-        present = self.plan()
-        self.shell = self.line("shell H I I")
-        self.mesh = None if list(self.claims) == ["positivity"] else self.line("mesh H I I")
-        self.bound = dict(zip("VPGT", self.shell[1:] + (self.mesh or [0, 0, 0])[1:]))
-        other = lambda f: len(f[0]) == self.shell[1] and distinct(f[0]) and f[0] != list(range(len(f[0])))
-        self.order = self.line("order list V+", other)[0] if self.ahead("order list") else self.line("order id")
-        self.pinched = self.line("pinched I V*", lambda f: ascending(f[1]))
-        for name in present:
-            self.line("begin " + name)
-            start = self.row
-            self.blocks[name] = self.block(name, self.claims.get(name) == "certified")
-            counts.append(self.row - start)
-        self.ok(self.line("counts I*") == [counts], "counts")
-        self.line("end")
-        self.ok(self.at == len(data) - 1)
-    def ok(self, condition, code="syntax", kind="malformed"): need(condition, code, f"line {self.row}", kind)
-    def ahead(self, words): return re.compile(f"\n{words}[ \n]".encode()).match(self.data, self.at)
-    def line(self, spec, good=lambda fields: True):  # the fields of the next line; `at` is the LF before it
-        pattern, kinds = grammar(spec)
-        match, self.row, fields, items = pattern.match(self.data, self.at), self.row + 1, [], []
-        self.ok(match)
-        self.at = match.end()
-        for (kind, times), text in zip(kinds, match.groups()):
-            values = [FIELDS[kind][1](x) for x in (text.decode().split(" ")[1:] if times else [text.decode()])]
-            fields.append(values if times else values[0])
-            items += [(kind, value) for value in values]
-        self.ok(all(ascending(value) for kind, value in items if kind in "NQS") and good(fields))
-        self.ok(not re.search(rb"(?<![0-9])[0-9]{%d}" % (DIGITS + 1), match[0]), "digits", "limit")
-        self.ok(all(self.in_range(*item) for item in items), "range")
-        return fields
-    def in_range(self, kind, value):
-        points = value if kind in "NQ" else value[1] if kind == "L" else [~v for v in value] if kind == "S" else ()
-        return (all(-self.bound["G"] <= p < 3 * self.bound["V"] for p in points)
-                and (kind not in self.bound or value < self.bound[kind]))
-    def each(self, spec, least=1, good=lambda fields, previous: True):  # lines that start with the first words of spec
-        fields, words = [], re.split(" (?=[A-Z])", spec)[0]
-        while least > 0 or self.ahead(words):
-            fields, least = self.line(spec, lambda found: good(found, fields)), least - 1
-            yield fields
-    def plan(self):  # checks that the claims fit together; the blocks that must be present, in order
-        said, refuted = self.claims.get, lambda *names: any(self.claims.get(x) == "refuted" for x in names)
-        self.ok(said("section") == said("bijection"), "claims")
-        parts = {"section-all-orders": ("positivity", "section"), "i2": ("section-all-orders", *CLAIMS[5:7])}
-        for name in filter(said, parts):
-            self.ok(all(map(said, parts[name])) and (refuted(name) or not refuted(*parts[name])), "claims")
-        present = {"positivity": refuted("positivity"), "overlay": said("section") == "certified",
-                   "no-section": refuted("section"),
-                   "no-order": refuted("section-all-orders") and not refuted("positivity", "section"),
-                   **{name: said(name) for name in CLAIMS[4:7]},
-                   "i2": said("i2") and not (refuted("i2") and refuted(*parts["i2"]))}
-        return filter(present.get, present)
-    def block(self, name, certified):  # the fact lines of a block
-        if name == "positivity": return list(self.each("tet P Q X"))
-        if name == "overlay": return self.overlay()
-        if name in ("no-section", "no-order"):
-            first = self.line("first V+", lambda f: distinct(f[0]))[0] if name == "no-order" else []
-            return first, self.witness()
-        j, least = "T" if name == "disjoint-mesh" else "P", 0 if certified else 1
-        spec = f"sep T {j} L+" if certified else f"cross T {j} A A"
-        if name == "i2": spec = "contact-sep T P Q L+" if certified else "contact T P Q A B X"
-        good = lambda f, previous: (j == "P" or f[0] < f[1]) and (not certified or previous[:-1] < f[:-1])
-        return list(self.each(spec, least, good))
-    def overlay(self):
-        vertices, named = {}, ([], [])
-        for ids, names in self.each("v S N"):
-            self.ok((ids, names) not in vertices, "duplicate")
-            vertices[ids, names] = None
-        self.bound["C"] = len(vertices)
-        cells = [cell for cell, in self.each("c C{3,}", 1, lambda f, _: distinct(f[0]))]
-        self.bound["D"] = len(cells)
-        for lines, word in zip(named, ("mesh", "middle")):
-            for cell, triangle in self.each(f"d {word} D I"):
-                self.ok(triangle < len(cells[cell]) - 2, "range")
-                lines.append((cell, triangle))
-        return vertices, cells, named
-    def witness(self):
-        for words, fields in (("topology components", "I I"), ("topology euler", "J J"), ("tet", "P Q X")):
-            if self.ahead(words): return words, self.line(f"{words} {fields}")
-        return "roots", [(*root, list(self.branches())) for root in self.each("root T A")]
-    def branches(self):
-        leg = lambda: (*self.line("start Q"), list(self.each("step T A Q", 0)))
-        for names, in self.each("branch N", 0, lambda f, previous: previous < f):
-            legs = [leg()] + ([leg()] if self.ahead("start") else [])
-            reasons = ["twice", "monodromy"] if len(legs) > 1 else ["cap", "wall", "boundary", "fold", "lands"]
-            reason = next(filter(self.ahead, reasons), reasons[0])
-            self.line(reason)
-            yield names, legs, reason
 
 # ---- section 1: words
 sub = lambda a, b: (a[0] - b[0], a[1] - b[1], a[2] - b[2])
@@ -384,14 +258,14 @@ def injective_star(case, S, edge):  # whether S's tets around an edge are positi
     before = lambda x, y: any(all(det(p, q, *z) <= 0 for z in side)
                               for side in ([(x[0], z) for z in y], [(z, x[1]) for z in y]))
     return all(before(x, y) or before(y, x) for x, y in itertools.combinations(wedges, 2))
+def all_carriers(case, S, x):  # of a point x = (x, y, z, w) over all tets
+    near = [j for j, b in enumerate(case.boxes) if all(b[k] * x[3] <= x[k] <= b[k + 3] * x[3] for k in range(3))]
+    return {tuple(sorted(coordinates(case, x, tet))) for j in near for tet in S[j].values()} - {()}
 def check_roots(case, S, facts):
     landed = set()
     for f, weights, branches in facts:
-        x, carriers = mix(case.corners[f], weights), set()
-        for tets, b in zip(S, case.boxes):
-            if all(b[k] * x[3] <= x[k] <= b[k + 3] * x[3] for k in range(3)):
-                carriers |= {tuple(sorted(coordinates(case, x, tet))) for tet in tets.values()}
-        need(carriers - {()} == {branch[0] for branch in branches}, "wrong-branches", f"root on {f}")
+        carriers = all_carriers(case, S, mix(case.corners[f], weights))
+        need(carriers == {branch[0] for branch in branches}, "wrong-branches", f"root on {f}")
         for names, legs, reason in branches:
             ends = [last_station(case, S, f, weights, names, *leg) for leg in legs]
             need(holds(case, reason, *ends[0], *ends[-1]), "not-refuted", f"root on {f}, {reason}")
@@ -422,48 +296,73 @@ def holds(case, reason, f, on_mesh, here, prism, tet, _, mesh2, here2, *others):
 
 # ---- sections 3.5 and 3.6: separation and contact
 def separates(case, planes, A, B):  # section 3.5, for planes (n, h) and simplices given by their tags
-    common, pinched = set(A) & set(B), {case.X[n] for n in B if n in case.pins}
+    common, pinched = set(A) & set(B), {case.X[n] for n in B if n in case.pins and A[0] < 0}
     for (x, y, z), h in planes:
         a, b = ([x * p[0] + y * p[1] + z * p[2] - h for p in case.at(s)] for s in (A, B))
         if not (max(a, default=0) <= 0 <= min(b, default=0) or max(b, default=0) <= 0 <= min(a, default=0)):
             return False
         A, B = [t for t, value in zip(A, a) if not value], [t for t, value in zip(B, b) if not value]
     return any(set(s) == common or len(s) == 1 and case.X[s[0]] in pinched for s in (A, B))
-def listed_planes(case, f, planes):  # as (n, h); a name that does not exist separates nothing
+def listed_planes(case, normal, planes):  # as (n, h); a name that does not exist separates nothing
     for kind, points in planes:
         need(all(p < 0 or p in case.N[p // 3] for p in points), "not-separated", "no such name")
         a, b, *c = case.at(points)
-        n = sub(b, a) if kind == "n" else cross(sub(b, a), sub(c[0], a) if c else case.planes[f][0])
+        n = sub(b, a) if kind == "n" else cross(sub(b, a), sub(c[0], a) if c else normal)
         yield n, dot(n, a)
+def common_point(case, A, u, B, w, at):  # the carriers of the point that these weights give in both simplices
+    x, y = mix(case.at(A), u), mix(case.at(B), w)
+    need(all(x[k] * y[3] == y[k] * x[3] for k in range(3)), "wrong-point", at)
+    return [{t for t, z in zip(*pair) if z} for pair in ((A, u), (B, w))]
 def check_contacts(case, name, facts, certified):
     """A is a mesh triangle, B one too, a bottom or top triangle, or a tet (`i2`, with its dot: {B: dot})."""
     T, i2, k = [tuple(~v for v in f) for f in case.T.faces], name == "i2", 2 * (name == "disjoint-top")
     layer = T if name == "disjoint-mesh" else [tuple(case.N[v][k] for v in f) for f in case.M.faces]
     others = lambda f, j: {t: case.dot(f, x) for t, x in case.tets(j).items()} if i2 else {layer[j]: 0}
     facts = [(f, j, *rest) if i2 else (f, j, layer[j], *rest) for f, j, *rest in facts]
-    for f, j, B, *rest in facts if not certified else ():
-        dots, (u, w), at = others(f, j), rest[:2], f"{f} {j}"
+    if certified: return check_separations(case, T, case.boxes if i2 else [box(case.at(B)) for B in layer], others,
+                                           lambda f, j: i2 and case.clear(f, j) or layer is T and j <= f, facts)
+    for f, j, B, u, w, *value in facts:
+        dots, at = others(f, j), f"{f} {j}"
         need(B in dots, "unknown-tet", at)
-        x, y = mix(case.corners[f], u), mix(case.at(B), w)
-        need(all(x[k] * y[3] == y[k] * x[3] for k in range(3)), "wrong-point", at)
-        need(not i2 or case.equals(dots[B], rest[2]), "wrong-value", at)
-        a, b = ({t for t, z in zip(*pair) if z} for pair in ((T[f], u), (B, w)))
+        a, b = common_point(case, T[f], u, B, w, at)
+        need(not i2 or case.equals(dots[B], *value), "wrong-value", at)
         need(dots[B] <= 0 and a != b and not (len(b) == 1 and b <= case.pins), "not-refuted", at)
-    if not certified: return
-    lines, meets, mesh_boxes = [{} for _ in T], [[] for _ in T], list(map(box, case.corners))
+def check_separations(case, T, boxes, others, skip, facts):
+    lines, meets, own_boxes = [{} for _ in T], [[] for _ in T], [box(case.at(A)) for A in T]
     for f, j, B, planes in facts: lines[f][j, B] = planes
-    boxes = case.boxes if i2 else [box(case.at(B)) for B in layer]
-    for f, j in meeting(mesh_boxes, boxes, range(len(T)), range(len(boxes))): meets[f].append(j)
+    for f, j in meeting(own_boxes, boxes, range(len(T)), range(len(boxes))): meets[f].append(j)
     for f, A in enumerate(T):
-        wanted = set()  # what the plane of f and those of B, each alone, do not separate
-        for j in [j for j in meets[f] if not (layer is T and j <= f or i2 and case.clear(f, j))]:
-            for B in [B for B, value in others(f, j).items() if value <= 0 and meet(mesh_boxes[f], box(case.at(B)))]:
-                planes = itertools.chain([case.planes[f]], (plane(*case.at(x)) for x in itertools.combinations(B, 3)))
+        wanted, own = set(), plane(*case.at(A))  # what the plane of A and those of B, each alone, do not separate
+        for j in [j for j in meets[f] if not skip(f, j)]:
+            for B in [B for B, value in others(f, j).items() if value <= 0 and meet(own_boxes[f], box(case.at(B)))]:
+                planes = itertools.chain([own], (plane(*case.at(x)) for x in itertools.combinations(B, 3)))
                 wanted |= set() if any(separates(case, [h], A, B) for h in planes) else {(j, B)}
         for j, B in sorted({*wanted, *lines[f]}):
             need((j, B) in wanted, "superfluous", f"{f} {j}")
             need((j, B) in lines[f], "missing-separation", f"{f} {j}")
-            need(separates(case, listed_planes(case, f, lines[f][j, B]), A, B), "not-separated", f"{f} {j}")
+            need(separates(case, listed_planes(case, own[0], lines[f][j, B]), A, B), "not-separated", f"{f} {j}")
+
+# ---- section 3.7: the tets share nothing but common faces
+def check_prisms(case, S, facts):
+    check_positive(case, S)
+    count = collections.Counter(face for tets in S for names in tets for face in itertools.combinations(names, 3))
+    skin = sorted(face for face, times in count.items() if times == 1)
+    need(all(j < len(skin) for _, j, _ in facts), "superfluous", f"the skin has {len(skin)} triangles")
+    check_separations(case, skin, [box(case.at(B)) for B in skin], lambda _, j: {skin[j]: 0},
+                      lambda i, j: j <= i, [(i, j, skin[j], planes) for i, j, planes in facts])
+    at_side = collections.defaultdict(list)
+    for i, side in [(i, side) for i, A in enumerate(skin) for side in itertools.combinations(A, 2)]:
+        at_side[side].append(i)
+    across = lambda i: [at_side[x] for x in itertools.combinations(skin[i], 2) if len(at_side[x]) == 2]
+    for i in sorted(set(parts(range(len(skin)), lambda i: chain(across(i))).values())):
+        carriers = all_carriers(case, S, mix(case.at(skin[i]), (1, 1, 1)))
+        need(carriers == {skin[i]}, "overlap", f"the middle of triangle {i} of the skin")
+def check_overlap(case, S, word, facts):
+    if word == "tet": check_tet(case, facts, S[facts[0]])
+    for k, (A, u, B, w) in enumerate(facts if word == "overlap" else ()):
+        need(find_tet(case, S, A) and find_tet(case, S, B), "unknown-tet")
+        a, b = common_point(case, A, u, B, w, f"line {k}")
+        need(a != b, "not-refuted", f"line {k}")
 
 # ---- all claims in order
 def check_claims(case, cert):
@@ -477,8 +376,10 @@ def check_claims(case, cert):
     if "no-order" in blocks:
         first, witness = blocks["no-order"]
         check_witness(case, case.decomposition(dict.fromkeys([*first, *order])), *witness)
-    for name in CLAIMS[4:]:
+    for name in CLAIMS[4:8]:
         if name in blocks: check_contacts(case, name, blocks[name], certified(name))
+    if certified("disjoint-prisms"): check_prisms(case, S, blocks["disjoint-prisms"])
+    elif "disjoint-prisms" in blocks: check_overlap(case, S, *blocks["disjoint-prisms"])
 def run(paths):  # the exit code and the text to print
     try:
         try: data = read_file(paths[0])

@@ -67,3 +67,4 @@ pub mod predicate;
 pub mod projection;
 pub mod report;
 pub mod shell;
+pub mod transfer;

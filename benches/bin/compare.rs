@@ -15,6 +15,7 @@ use homeo_benches::cgal::{Cgal, Files};
 use homeo_benches::generate::{Generated, initial, same, simplified};
 use homeo_benches::quads::{IMPLEMENTATIONS, Kind, quads};
 use homeo_benches::real;
+use homeo_benches::results;
 use homeo_benches::run::{checker_inputs, on_one_thread, positivity, signs_alone, whole};
 use homeo_benches::table::{Table, median, smallest};
 
@@ -27,7 +28,7 @@ fn main() -> Res {
     let before = load();
     let cgal = Cgal::build();
     let mut report = String::from(
-        "# Results\n\nWritten by `benches/compare.sh`, never by hand. One thread. Within a row everything ran turn by turn in one \
+        "## Side by side\n\nWritten by `benches/compare.sh`, never by hand. One thread. Within a row everything ran turn by turn in one \
          run; ratios are medians over the rounds of the ratio within a round, so that other load falls on both sides. \
          Absolute times hold for one machine and its load.\n",
     );
@@ -44,7 +45,7 @@ fn main() -> Res {
         load().trim()
     )?;
     print!("{report}");
-    std::fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("RESULTS.md"), report)?;
+    results::put("compare", &report)?;
     Ok(())
 }
 

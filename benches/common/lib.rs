@@ -1,8 +1,10 @@
 //! What the benches and the cross-validation share: generated shells, real shells, the CGAL programs, tables.
 
+pub mod built;
 pub mod cgal;
 pub mod generate;
 pub mod quads;
 pub mod real;
+pub mod results;
 pub mod run;
 pub mod table;

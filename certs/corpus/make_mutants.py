@@ -3,7 +3,7 @@
 
 A mutant is a named corruption of one control, `<control>/<mutant>.cert` (and changed inputs `<mutant>.<input>.off`);
 `mutants.tsv` says which answer FORMAT.md asks for. Those answers are stated by hand in `mutants_form.py` (the file and
-the inputs) and `mutants_rules.py` (the claims); nothing here asks a checker. An edit that no longer fits its control
+the inputs), `mutants_rules.py` and `mutants_prisms.py` (the claims); nothing here asks a checker. An edit that no longer fits its control
 is an error. `--check` writes nothing and fails unless the stored files are the ones that would be written.
 """
 import hashlib
@@ -200,10 +200,12 @@ class Corpus:
 def generated():
     """All files to write, by path below this directory."""
     import mutants_form
+    import mutants_prisms
     import mutants_rules
     corpus = Corpus()
     mutants_form.add_all(corpus)
     mutants_rules.add_all(corpus)
+    mutants_prisms.add_all(corpus)
     return {**corpus.files, "mutants.tsv": corpus.table().encode("ascii")}
 
 

@@ -64,9 +64,7 @@ impl Complex {
         let used: Set<usize> = triangles.iter().flatten().copied().collect();
         let mut complex = Self { triangles, edges, sets, used, rim: Set::default(), part: vec![], parts: 0 };
         // At each vertex all triangles are connected through shared edges: united corners, two for each edge.
-        let corner = |t: usize, v: usize| {
-            3 * t + usize::from(complex.triangles[t][1] == v) + 2 * usize::from(complex.triangles[t][2] == v)
-        };
+        let corner = |t: usize, v| 3 * t + complex.triangles[t].iter().position(|&x| x == v).unwrap_or(0);
         let shared =
             || complex.edges.iter().filter_map(|(&(a, b), &i)| Some((a, b, i, complex.across(a, b)?)));
         let ends = shared().flat_map(|(a, b, i, j)| [a, b].map(|v| (corner(i, v), corner(j, v))));

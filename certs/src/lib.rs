@@ -39,7 +39,7 @@ use foldhash::fast::RandomState;
 use input::{Mesh, Shell};
 use parse::{Block, Cert};
 use rayon::prelude::*;
-use separate::Other;
+use separate::Sets;
 use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
@@ -204,15 +204,10 @@ fn claims(cert: &Cert, world: &World) -> Res {
     let pinched = (0..world.pinched.len()).filter(|&v| world.pinched[v]).collect();
     ensure!(cert.pinched == (8 * pinches, pinched), "pinched", "the line differs from what the shell gives");
     let order: Vec<usize> = cert.order.clone().unwrap_or_else(|| (0..world.pinched.len()).collect());
+    let selected = || Selected::new(world, &[], &order);
     let mut overlay = None;
     let mut blocks = cert.blocks.iter();
     for &(name, certified) in &cert.claims {
-        let other = match name {
-            "disjoint-mesh" => Other::Mesh,
-            "disjoint-bottom" => Other::Layer(0),
-            "disjoint-top" => Other::Layer(2),
-            _ => Other::Tets,
-        };
         // Which claims have a block is what `parse::plan` says.
         let block = if cert.owners.contains(&name) { blocks.next() } else { None };
         match (name, block) {
@@ -229,14 +224,34 @@ fn claims(cert: &Cert, world: &World) -> Res {
                 facts.iter().try_for_each(|fact| lift::not_positive(world, fact, &world.tets[fact.prism]))?;
             }
             (_, Some(Block::Overlay(facts))) => {
-                overlay = Some(overlay::Overlay::check(world, &Selected::new(world, &[], &order), facts)?);
+                overlay = Some(overlay::Overlay::check(world, &selected(), facts)?);
             }
             (_, Some(Block::NoLift(first, witness))) => {
                 lift::check(world, &Selected::new(world, first, &order), witness)?;
             }
-            (_, Some(Block::Separated(lines))) => separate::disjoint(world, other, lines)?,
-            (_, Some(Block::Crossing(facts))) => separate::crossing(world, other, facts)?,
+            ("disjoint-prisms", Some(Block::Separated(lines))) => {
+                separate::injective(world, &selected(), lines)?;
+            }
+            (_, Some(Block::Separated(lines))) => separate::disjoint(world, &compared(world, name), lines)?,
+            (_, Some(Block::Crossing(facts))) => separate::crossing(world, &compared(world, name), facts)?,
+            (_, Some(Block::Overlap(facts))) => {
+                separate::overlap(world, &selected(), facts)?;
+            }
         }
     }
     Ok(())
+}
+
+/// The triangles of the mesh, and what a claim of sections 3.5 and 3.6 compares them with.
+fn compared(world: &World, claim: &str) -> Sets {
+    let first: Vec<[usize; 3]> = (0..world.mesh.triangles.len()).map(|f| world.corners(f)).collect();
+    let prisms = world.shell.triangles.iter();
+    let layer = |layer| prisms.clone().map(|t| t.map(|v| world.name(v, layer)).to_vec()).collect();
+    let second = match claim {
+        "disjoint-mesh" => first.iter().map(Vec::from).collect(),
+        "disjoint-bottom" => layer(0),
+        "disjoint-top" => layer(2),
+        _ => prisms.clone().map(|t| t.map(|v| [3 * v, 3 * v + 1, 3 * v + 2]).concat()).collect(),
+    };
+    Sets { first, second, itself: claim == "disjoint-mesh" }
 }

@@ -13,9 +13,9 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use std::collections::{BTreeMap, BTreeSet};
 
-struct Lift<'a> {
-    world: &'a World,
-    selected: &'a Selected,
+pub(crate) struct Lift<'a> {
+    pub(crate) world: &'a World,
+    pub(crate) selected: &'a Selected,
 }
 
 /// A point of `T` in a tet, with its carrier there.
@@ -24,9 +24,6 @@ struct Station<'a> {
     tet: &'a Tet,
     carrier: Vec<usize>,
 }
-
-/// Weights of ids.
-type Weighting = BTreeMap<usize, BigInt>;
 
 pub(crate) fn check(world: &World, selected: &Selected, witness: &Witness) -> Res {
     match witness {
@@ -56,16 +53,15 @@ impl<'a> Lift<'a> {
     fn roots(&self, roots: &'a [Root]) -> Res {
         let (mut from, mut landed) = (BTreeSet::new(), BTreeSet::new());
         for root in roots {
-            let line = root.at.line;
-            let found = self.carriers(&root.at);
+            let found = self.carriers(&self.world.corners(root.at.triangle), &root.at.weights);
             let stated = root.branches.iter().map(|b| &b.names);
-            ensure!(stated.eq(&found), "wrong-branches", "line {line}: the root lies in other carriers");
+            ensure!(stated.eq(&found), "wrong-branches", "line {}: other carriers", root.at.line);
             for branch in &root.branches {
                 let ends: Vec<_> =
                     branch.legs.iter().map(|l| self.walk(root, branch, l)).collect::<Res<_>>()?;
-                let (line, reason) = (branch.line, branch.reason);
+                let Branch { line, reason, .. } = branch;
                 ensure!(self.refuted(reason, &ends), "not-refuted", "line {line}: no `{reason}`");
-                let lands = ends.iter().filter(|_| reason == "lands");
+                let lands = ends.iter().filter(|_| *reason == "lands");
                 landed.extend(lands.map(|end| self.world.shell.part[end.tet.prism]));
             }
             from.insert(self.world.mesh.part[root.at.triangle]);
@@ -75,27 +71,27 @@ impl<'a> Lift<'a> {
         Ok(())
     }
 
-    /// The carriers of a point over all tets, ascending.
-    fn carriers(&self, at: &At) -> BTreeSet<Vec<usize>> {
+    /// The carriers of a weighted point over all tets, ascending.
+    pub(crate) fn carriers(&self, points: &[usize], weights: &[BigInt]) -> BTreeSet<Vec<usize>> {
         let keys = &self.world.keys;
-        let near = Aabb::of(keys, &self.vertices(at));
+        let near = Aabb::of(keys, &carrier(points, weights));
         let tets = self.selected.tets.iter().filter(|t| Aabb::of(keys, &t.names).meets(&near));
-        tets.filter_map(|tet| self.carrier(at, tet)).collect()
+        tets.filter_map(|tet| self.carrier(points, weights, tet)).collect()
     }
 
-    /// The carrier of a point in a closed tet, if it lies in it.
-    fn carrier(&self, at: &At, tet: &Tet) -> Option<Vec<usize>> {
-        let coordinates = self.coordinates(at, tet);
+    /// The carrier of a weighted point in a closed tet, if it lies in it.
+    fn carrier(&self, points: &[usize], weights: &[BigInt], tet: &Tet) -> Option<Vec<usize>> {
+        let coordinates = self.coordinates(points, weights, tet);
         let inside = tet.positive && coordinates.iter().all(|x| sgn(x) >= 0);
         inside.then(|| carrier(&tet.names, &coordinates))
     }
 
-    /// The barycentric coordinates of a point in a tet that is not flat, times a positive number.
-    fn coordinates(&self, at: &At, tet: &Tet) -> [BigInt; 4] {
+    /// The barycentric coordinates of a weighted point in a tet that is not flat, times a positive number.
+    fn coordinates(&self, points: &[usize], weights: &[BigInt], tet: &Tet) -> [BigInt; 4] {
         let sign = self.world.sign(self.world.replaced(tet.names, 0, tet.names[0]));
-        let corners = || self.world.corners(at.triangle).into_iter().zip(&at.weights);
-        let part = |i: usize, (x, w)| self.world.det(self.world.replaced(tet.names, i, x)) * w * sign;
-        std::array::from_fn(|i| corners().filter(|(_, w)| sgn(w) != 0).map(|corner| part(i, corner)).sum())
+        let used = || points.iter().zip(weights).filter(|(_, w)| sgn(w) != 0);
+        let part = |i: usize, (&x, w)| self.world.det(self.world.replaced(tet.names, i, x)) * w * sign;
+        std::array::from_fn(|i| used().map(|point| part(i, point)).sum())
     }
 
     fn tet(&self, names: &Names4, line: usize) -> Res<&'a Tet> {
@@ -112,9 +108,9 @@ impl<'a> Lift<'a> {
         for (at, names) in &leg.steps {
             let tet = self.tet(names, at.line)?;
             let corners = self.world.corners(here.at.triangle);
-            let beside = self.vertices(at).iter().all(|v| corners.contains(v));
-            let same = self.carrier(at, tet).filter(|c| self.carrier(at, here.tet).as_ref() == Some(c));
-            let next = same.filter(|_| beside && self.passable(&here.carrier));
+            let may = self.passable(&here.carrier) && self.vertices(at).iter().all(|v| corners.contains(v));
+            let within = |tet| self.carrier(&self.world.corners(at.triangle), &at.weights, tet);
+            let next = within(tet).filter(|c| may && within(here.tet).as_ref() == Some(c));
             here = Station { at, tet, carrier: next.ok_or_else(|| bad!("wrong-step", "line {}", at.line))? };
         }
         Ok(here)
@@ -168,13 +164,15 @@ impl<'a> Lift<'a> {
         }
     }
 
-    fn projected(&self, station: &Station<'_>) -> Weighting {
-        primitive(station.tet.names.map(|n| n / 3), &self.coordinates(station.at, station.tet))
+    fn projected(&self, station: &Station<'_>) -> BTreeMap<usize, BigInt> {
+        let Station { at, tet, .. } = station;
+        let coordinates = self.coordinates(&self.world.corners(at.triangle), &at.weights, tet);
+        primitive(tet.names.map(|n| n / 3), &coordinates)
     }
 }
 
 /// Weights summed by id, without zeros, divided by their greatest common divisor: equal for equal points.
-fn primitive<const N: usize>(ids: [usize; N], weights: &[BigInt]) -> Weighting {
+fn primitive<const N: usize>(ids: [usize; N], weights: &[BigInt]) -> BTreeMap<usize, BigInt> {
     let mut map = BTreeMap::new();
     for (id, weight) in ids.into_iter().zip(weights).filter(|x| sgn(x.1) != 0) {
         *map.entry(id).or_insert(BigInt::ZERO) += weight;

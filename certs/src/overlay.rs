@@ -65,8 +65,7 @@ impl<'a> Overlay<'a> {
             |side: usize| distinct(corners.iter().flat_map(|&x| &self.corners[x].weights[side].ids).copied());
         let names = distinct(corners.iter().flat_map(|&x| self.corners[x].names).copied());
         let [triangle, prism] = [world.mesh.with_corners(&ids(0)), world.shell.with_corners(&ids(1))];
-        let triangle =
-            triangle.ok_or_else(|| bad!("cell-mesh", "line {line}: not one triangle of the mesh"))?;
+        let triangle = triangle.ok_or_else(|| bad!("cell-mesh", "line {line}: not one triangle"))?;
         let prism = prism.filter(|_| selected.holding(&names).next().is_some());
         let prism = prism.ok_or_else(|| bad!("cell-shell", "line {line}: not one tet that fills a prism"))?;
         let within = [world.mesh.triangles[triangle], world.shell.triangles[prism]];
@@ -174,32 +173,22 @@ fn meet<'a>(world: &World, line: usize, ids: &'a [usize], names: &'a [usize]) ->
     Ok(Corner { names, weights })
 }
 
-/// The coefficients `c` with `sum c = 0` and `sum c x = 0`, when they are unique up to a factor: each is a minor of
-/// the differences to the first point. Six points or more have two independent dependences.
+/// The coefficients `c` with `sum c = 0` and `sum c x = 0`, when they are unique up to a factor. The differences to the
+/// first point are completed with axes to four vectors: where these have one dependence only, each of its coefficients
+/// is a minor. It is that of the differences if it has no axis.
 fn dependence(world: &World, points: &[usize]) -> Option<Vec<BigInt>> {
     let (&origin, others) = points.split_first()?;
-    let d: Vec<Vec3> = others.iter().map(|&p| world.offset([origin, p])).collect();
+    let missing = 4usize.checked_sub(others.len())?;
+    let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|axis| axis.map(BigInt::from));
     let zero = |x: &BigInt| sgn(x) == 0;
-    let tail = match d.as_slice() {
-        [a] => a.iter().all(zero).then(|| vec![BigInt::from(1)])?,
-        [a, b] => {
-            let flat = cross(a, b).iter().all(zero);
-            let i = (0..3).find(|&i| flat && !(zero(&a[i]) && zero(&b[i])))?;
-            vec![b[i].clone(), -&a[i]]
-        }
-        [a, b, c] => {
-            let minors = [cross(b, c), cross(c, a), cross(a, b)];
-            let flat = zero(&dot(&minors[0], a));
-            let i = (0..3).find(|&i| flat && !minors.iter().all(|m| zero(&m[i])))?;
-            minors.map(|m| m[i].clone()).to_vec()
-        }
-        [a, b, c, e] => {
-            let (first, last) = (cross(a, b), cross(c, e));
-            let all = vec![dot(b, &last), -dot(a, &last), dot(e, &first), -dot(c, &first)];
-            (!all.iter().all(zero)).then_some(all)?
-        }
-        _ => return None,
-    };
+    let mut tail = (0..3).find_map(|first| {
+        let mut d: Vec<Vec3> = others.iter().map(|&p| world.offset([origin, p])).collect();
+        d.extend(axes.iter().cycle().skip(first).take(missing).cloned());
+        let (front, back) = (cross(&d[0], &d[1]), cross(&d[2], &d[3]));
+        let all = vec![dot(&d[1], &back), -dot(&d[0], &back), dot(&d[3], &front), -dot(&d[2], &front)];
+        (!all.iter().all(zero) && all[others.len()..].iter().all(zero)).then_some(all)
+    })?;
+    tail.truncate(others.len());
     let head = -tail.iter().sum::<BigInt>();
     Some(std::iter::once(head).chain(tail).collect())
 }

@@ -5,7 +5,7 @@ use crate::line::{Bounds, Line, Names4, Plane, Value, weights};
 use crate::{Fail, Res, fail, malformed};
 use num_bigint::BigInt;
 
-pub(crate) const CLAIMS: [&str; 8] = [
+pub(crate) const CLAIMS: [&str; 9] = [
     "positivity",
     "section",
     "bijection",
@@ -14,7 +14,11 @@ pub(crate) const CLAIMS: [&str; 8] = [
     "disjoint-bottom",
     "disjoint-top",
     "i2",
+    "disjoint-prisms",
 ];
+
+/// The claims about a shell alone.
+const NO_MESH: [&str; 2] = ["positivity", "disjoint-prisms"];
 
 /// What a `shell` or `mesh` line states.
 #[derive(Clone, Default)]
@@ -43,6 +47,7 @@ pub(crate) enum Block {
     NoLift(Vec<usize>, Witness),
     Separated(Vec<Separation>),
     Crossing(Vec<Crossing>),
+    Overlap(Vec<Overlap>),
 }
 
 pub(crate) struct TetFact {
@@ -76,6 +81,13 @@ pub(crate) struct Crossing {
     pub(crate) first: Vec<BigInt>,
     pub(crate) second: Vec<BigInt>,
     pub(crate) contact: Option<(Names4, Value)>,
+}
+
+/// An `overlap` line: two tets, weights on the names of each.
+pub(crate) struct Overlap {
+    pub(crate) line: usize,
+    pub(crate) tets: [Names4; 2],
+    pub(crate) weights: [Vec<BigInt>; 2],
 }
 
 pub(crate) enum Witness {
@@ -218,7 +230,7 @@ impl<'a> Parser<'a> {
         let plan = plan(claim)?;
         cert.shell = self.stated("shell")?;
         (self.bounds.shell, self.bounds.prisms) = (cert.shell.vertices, cert.shell.faces);
-        if cert.claims != [("positivity", true)] && cert.claims != [("positivity", false)] {
+        if cert.claims.iter().any(|(name, _)| !NO_MESH.contains(name)) {
             let mesh = self.stated("mesh")?;
             (self.bounds.mesh, self.bounds.triangles) = (mesh.vertices, mesh.faces);
             cert.mesh = Some(mesh);
@@ -293,6 +305,13 @@ impl<'a> Parser<'a> {
                 let contact = Some((tet, line.value()?));
                 line.finish()?;
                 Ok(Crossing { line: line.at, pair, first, second, contact })
+            })?),
+            "disjoint-prisms" if self.peek("tet") => Block::NoLift(Vec::new(), self.witness()?),
+            "disjoint-prisms" => Block::Overlap(self.list("overlap", false, |line| {
+                let (first, u) = (line.tet()?, weights(line, 4)?);
+                let (second, v) = (line.tet()?, weights(line, 4)?);
+                line.finish()?;
+                Ok(Overlap { line: line.at, tets: [first, second], weights: [u, v] })
             })?),
             _ => Block::Crossing(self.list("cross", false, |line| {
                 let pair = pair(line, name)?;
@@ -430,6 +449,8 @@ fn plan(claim: impl Fn(&str) -> Option<bool>) -> Res<Vec<(&'static str, bool, &'
     let own =
         i2.is_some() && (i2 == Some(true) || yes(&["section-all-orders", "disjoint-bottom", "disjoint-top"]));
     add("i2", own, i2 == Some(true), "i2");
+    let prisms = claim("disjoint-prisms");
+    add("disjoint-prisms", prisms.is_some(), prisms == Some(true), "disjoint-prisms");
     Ok(plan)
 }
 
@@ -445,10 +466,15 @@ fn at(line: &mut Line<'_>) -> Res<At> {
 
 /// The `(i, j)` of a `sep` or `cross` line of the block `name`.
 fn pair(line: &mut Line<'_>, name: &str) -> Result<(usize, usize), Fail> {
-    let mesh = name == "disjoint-mesh";
-    let i = line.id(line.bounds.triangles)?;
-    let j = line.id(if mesh { line.bounds.triangles } else { line.bounds.prisms })?;
-    line.require(!mesh || i < j)?;
+    let Bounds { triangles, prisms, .. } = line.bounds;
+    let (first, second, itself) = match name {
+        "disjoint-mesh" => (triangles, triangles, true),
+        // How many triangles the skin has is known later.
+        "disjoint-prisms" => (usize::MAX, usize::MAX, true),
+        _ => (triangles, prisms, false),
+    };
+    let (i, j) = (line.id(first)?, line.id(second)?);
+    line.require(!itself || i < j)?;
     Ok((i, j))
 }
 

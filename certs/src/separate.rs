@@ -1,39 +1,31 @@
 //! Planes that separate, and the claims `disjoint-*` and `i2` (FORMAT sections 3.5 and 3.6, rule R3 of THEORY).
 
 use crate::boxes::{Aabb, Tree};
-use crate::complex::distinct;
+use crate::complex::{classes, distinct};
+use crate::lift::Lift;
 use crate::line::Plane;
 use crate::number::{cross, dot, sgn};
-use crate::parse::{Crossing, Separation};
+use crate::parse::{Crossing, Overlap, Separation};
+use crate::tets::{Selected, Tet};
 use crate::world::World;
 use crate::{Res, each, show};
 use num_bigint::BigInt;
 
-/// What the triangles of the mesh are compared with: each other, a layer of the shell, the tets of the prisms.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Other {
-    Mesh,
-    Layer(usize),
-    Tets,
+/// A list of triangles and what they are compared with.
+pub(crate) struct Sets {
+    pub(crate) first: Vec<[usize; 3]>,
+    /// Triangles, or all nine points of prisms, whose tets are meant.
+    pub(crate) second: Vec<Vec<usize>>,
+    /// Whether both are one list: each two of its triangles are a pair.
+    pub(crate) itself: bool,
 }
 
-impl Other {
-    /// The triangle `j` (none for `Tets`).
-    fn triangle(self, world: &World, j: usize) -> Option<[usize; 3]> {
-        match self {
-            Self::Mesh => Some(world.corners(j)),
-            Self::Layer(layer) => Some(world.shell.triangles[j].map(|v| 3 * v + layer)),
-            Self::Tets => None,
-        }
-    }
-}
-
-/// Mesh triangle `i` with corners `a`, and a triangle or a tet `b`.
+/// A triangle `a`, and a triangle or a tet `b`.
 struct Pair<'a> {
     world: &'a World,
     a: [usize; 3],
     b: &'a [usize],
-    other: Other,
+    itself: bool,
 }
 
 impl Pair<'_> {
@@ -41,13 +33,11 @@ impl Pair<'_> {
     fn side(&self, plane: &Plane, x: usize) -> i32 {
         let (world, [p, q, r]) = (self.world, self.a);
         let normal = || cross(&world.offset([p, q]), &world.offset([p, r]));
+        let from = |a: usize| world.offset([a, x]);
         match *plane {
             Plane::Through(points) => world.side(points, x),
-            Plane::Line(ends) if ends.contains(&x) => 0,
-            Plane::Line(ends @ [a, _]) => {
-                sgn(&dot(&cross(&world.offset(ends), &normal()), &world.offset([a, x])))
-            }
-            Plane::Normal(ends @ [a, _]) => sgn(&dot(&world.offset(ends), &world.offset([a, x]))),
+            Plane::Line(ends @ [a, _]) => sgn(&dot(&cross(&world.offset(ends), &normal()), &from(a))),
+            Plane::Normal(ends @ [a, _]) => sgn(&dot(&world.offset(ends), &from(a))),
         }
     }
 
@@ -56,7 +46,7 @@ impl Pair<'_> {
         let common = |x: &usize| self.a.contains(x) && self.b.contains(x);
         let World { keys, pinched, .. } = self.world;
         let at_pinch = |v: usize| pinched[v] && keys[rest[0]] == keys[3 * v + 1];
-        if self.other == Other::Mesh {
+        if self.itself {
             return rest.iter().all(common) && rest.len() == self.a.iter().filter(|x| common(x)).count();
         }
         rest.is_empty() || rest.len() == 1 && self.b.iter().any(|n| at_pinch(n / 3))
@@ -68,8 +58,7 @@ impl Pair<'_> {
         let (mut a, mut b) = (a.to_vec(), b.to_vec());
         for plane in planes {
             // A triangle and a tet have at most four points; a missing one counts as one on the plane.
-            let sides =
-                |points: &[usize]| [0, 1, 2, 3].map(|i| points.get(i).map_or(0, |&x| self.side(plane, x)));
+            let sides = |p: &[usize]| [0, 1, 2, 3].map(|i| p.get(i).map_or(0, |&x| self.side(plane, x)));
             let (of_a, of_b) = (sides(&a), sides(&b));
             let apart = |s: i32| !of_a.contains(&-s) && !of_b.contains(&s);
             if !apart(1) && !apart(-1) {
@@ -95,36 +84,33 @@ impl Pair<'_> {
     }
 }
 
-/// `disjoint-*` or `i2` certified: the lines are about just the pairs that need planes, and their planes separate.
-pub(crate) fn disjoint(world: &World, other: Other, lines: &[Separation]) -> Res {
-    let many = if other == Other::Mesh { world.mesh.triangles.len() } else { world.shell.triangles.len() };
-    let triangles: Vec<[usize; 3]> = (0..many).filter_map(|j| other.triangle(world, j)).collect();
-    let nine = |j: usize| world.shell.triangles[j].map(|v| [3 * v, 3 * v + 1, 3 * v + 2]).concat();
-    let points = |j: usize| triangles.get(j).map_or_else(|| nine(j), Vec::from);
-    let tree = Tree::new((0..many).map(|j| Aabb::of(&world.keys, &points(j))));
-    each(world.mesh.triangles.len(), |i| {
-        let a = world.corners(i);
+/// `disjoint-*` or `i2` certified: the lines are about just the pairs that need planes, and their planes separate. The
+/// first triangles are those of the mesh, except for `disjoint-prisms`.
+pub(crate) fn disjoint(world: &World, sets: &Sets, lines: &[Separation]) -> Res {
+    let Sets { first, second, itself } = sets;
+    let tree = Tree::new(second.iter().map(|points| Aabb::of(&world.keys, points)));
+    each(first.len(), |i| {
+        let a = first[i];
         let bounds = Aabb::of(&world.keys, &a);
         let [from, to] = [i, i + 1].map(|i| lines.partition_point(|line| line.pair.0 < i));
         let mut partners = tree.meeting(&bounds);
-        partners.retain(|&j| other != Other::Mesh || i < j);
+        partners.retain(|&j| !*itself || i < j);
         for j in distinct(partners.into_iter().chain(lines[from..to].iter().map(|line| line.pair.1))) {
-            let listed = lines[from..to].iter().filter(|line| line.pair.1 == j);
-            let about = |line: &Separation| line.tet.map_or_else(|| Vec::from(triangles[j]), Vec::from);
-            let listed: Vec<_> = listed.map(|line| (line, about(line))).collect();
-            let mut open: Vec<&[usize]> = triangles.get(j).into_iter().map(|t| &t[..]).collect();
-            if other == Other::Tets && !world.rises(i, j) {
-                let steep = world.tets[j].iter().filter(|t| world.sign(world.dot(i, t.pillar)) <= 0);
-                open = steep.map(|tet| &tet.names[..]).collect();
+            let mut open = vec![&second[j][..]];
+            if second[j].len() > 3 {
+                let rises = world.rises(i, j);
+                let steep = |t: &&Tet| !rises && world.sign(world.dot(i, t.pillar)) <= 0;
+                open = world.tets[j].iter().filter(steep).map(|tet| &tet.names[..]).collect();
             }
-            let pair = |b| Pair { world, a, b, other };
+            let pair = |b| Pair { world, a, b, itself: *itself };
             open.retain(|b| Aabb::of(&world.keys, b).meets(&bounds) && !pair(b).separate_alone());
             // In the order of names; a pair of triangles has at most one line.
-            for (line, names) in &listed {
+            for line in lines[from..to].iter().filter(|line| line.pair.1 == j) {
+                let names = line.tet.as_ref().map_or(&second[j][..], |tet| tet);
                 let at = || format!("line {}: triangle {i} and {j}", line.line);
-                let missed = open.first().is_some_and(|b| **b < names[..]);
+                let missed = open.first().is_some_and(|b| *b < names);
                 ensure!(!missed, "missing-separation", "before {}: {}", at(), show(open[0]));
-                ensure!(open.first() == Some(&&names[..]), "superfluous", "{}", at());
+                ensure!(open.first() == Some(&names), "superfluous", "{}", at());
                 let exist = line.planes.iter().all(|plane| plane.points().iter().all(|&x| world.exists(x)));
                 ensure!(exist && pair(names).separate(&line.planes, &a, names), "not-separated", "{}", at());
                 open.remove(0);
@@ -135,25 +121,23 @@ pub(crate) fn disjoint(world: &World, other: Other, lines: &[Separation]) -> Res
     })
 }
 
-/// `disjoint-*` or `i2` refuted: a point that both have.
-pub(crate) fn crossing(world: &World, other: Other, facts: &[Crossing]) -> Res {
+/// `disjoint-mesh`, `-bottom`, `-top` or `i2` refuted: a point that both have.
+pub(crate) fn crossing(world: &World, sets: &Sets, facts: &[Crossing]) -> Res {
     for Crossing { line, pair: (i, j), first, second, contact } in facts {
-        let a = world.corners(*i);
-        let b =
-            other.triangle(world, *j).map_or_else(|| contact.iter().flat_map(|c| c.0).collect(), Vec::from);
-        let tet = world.tets.get(*j).and_then(|tets| tets.iter().find(|t| t.names == *b));
-        ensure!(other != Other::Tets || tet.is_some(), "unknown-tet", "line {line}");
-        let ((x, xw), (y, yw)) = (world.mean(&a, first), world.mean(&b, second));
+        let (a, b) = (sets.first[*i], contact.as_ref().map_or(&sets.second[*j][..], |(tet, _)| tet));
+        let tet = world.tets.get(*j).and_then(|tets| tets.iter().find(|t| t.names == b));
+        ensure!(contact.is_none() || tet.is_some(), "unknown-tet", "line {line}");
+        let ((x, xw), (y, yw)) = (world.mean(&a, first), world.mean(b, second));
         ensure!(x.iter().zip(&y).all(|(x, y)| x * &yw == y * &xw), "wrong-point", "line {line}");
         if let (Some(tet), Some((_, value))) = (tet, contact) {
             let dot = world.det(world.dot(*i, tet.pillar));
             ensure!(world.value(&dot) == *value, "wrong-value", "line {line}");
             ensure!(sgn(&dot) <= 0, "not-refuted", "line {line}");
         }
-        let (left, right) = (carrier(&a, first), carrier(&b, second));
-        let pinch = || right.len() == 1 && world.pinched[right[0] / 3];
-        let forced = if other == Other::Mesh { left == right } else { pinch() };
-        ensure!(!forced, "not-refuted", "line {line}");
+        let (left, right) = (carrier(&a, first), carrier(b, second));
+        // Equal only for triangles of the mesh, whose points have other numbers than the shell's.
+        let pinch = right.len() == 1 && world.pinched.get(right[0] / 3) == Some(&true);
+        ensure!(left != right && !pinch, "not-refuted", "line {line}");
     }
     Ok(())
 }
@@ -161,4 +145,36 @@ pub(crate) fn crossing(world: &World, other: Other, facts: &[Crossing]) -> Res {
 /// The ids with a weight, ascending.
 pub(crate) fn carrier(ids: &[usize], weights: &[BigInt]) -> Vec<usize> {
     distinct(ids.iter().zip(weights).filter(|(_, w)| sgn(w) != 0).map(|(&id, _)| id))
+}
+
+/// `disjoint-prisms` certified (rule R4): the skin does not meet itself, and a triangle of each connected part of it has
+/// its middle in no other tet.
+pub(crate) fn injective(world: &World, selected: &Selected, lines: &[Separation]) -> Res {
+    ensure!(selected.tets.iter().all(|t| t.positive), "not-positive", "a tet of the order");
+    let skin = selected.skin();
+    ensure!(lines.iter().all(|l| l.pair.1 < skin.len()), "superfluous", "the skin has {}", skin.len());
+    let second = skin.iter().map(Vec::from).collect();
+    disjoint(world, &Sets { first: skin.clone(), second, itself: true }, lines)?;
+    // Connected across the sides that just two triangles have.
+    let sides = |(i, &[a, b, c]): (usize, &[usize; 3])| [([a, b], i), ([a, c], i), ([b, c], i)];
+    let mut sides: Vec<_> = skin.iter().enumerate().flat_map(sides).collect();
+    sides.sort_unstable();
+    let shared = sides.chunk_by(|x, y| x.0 == y.0).filter(|chunk| chunk.len() == 2);
+    for i in distinct(classes(skin.len(), shared.map(|chunk| (chunk[0].1, chunk[1].1)))) {
+        let carriers = Lift { world, selected }.carriers(&skin[i], &[1, 1, 1].map(BigInt::from));
+        ensure!(carriers.len() == 1, "overlap", "the middle of {} is in another tet", show(&skin[i]));
+    }
+    Ok(())
+}
+
+/// `disjoint-prisms` refuted: a point of two tets with different carriers.
+pub(crate) fn overlap(world: &World, selected: &Selected, facts: &[Overlap]) -> Res {
+    for Overlap { line, tets: [a, b], weights: [u, v] } in facts {
+        let known = |tet: &[usize]| selected.holding(tet).next().is_some();
+        ensure!(known(a) && known(b), "unknown-tet", "line {line}");
+        let ((x, xw), (y, yw)) = (world.mean(a, u), world.mean(b, v));
+        ensure!(x.iter().zip(&y).all(|(x, y)| x * &yw == y * &xw), "wrong-point", "line {line}");
+        ensure!(carrier(a, u) != carrier(b, v), "not-refuted", "line {line}");
+    }
+    Ok(())
 }

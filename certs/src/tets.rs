@@ -1,7 +1,6 @@
 //! The tets of a prism, and the set that a vertex order selects (FORMAT section 1).
 
-use crate::line::Names4;
-use crate::world::World;
+use crate::{line::Names4, world::World};
 
 /// A tet of a prism's slab.
 #[derive(Clone, Copy)]
@@ -80,6 +79,15 @@ impl Selected {
             }
         }
         Self { tets, star }
+    }
+
+    /// The skin: the faces of just one tet, as ascending names, in ascending order.
+    pub(crate) fn skin(&self) -> Vec<[usize; 3]> {
+        let faces = |tet: &Tet| [3, 2, 1, 0].map(|k| [0, 1, 2].map(|i| tet.names[i + usize::from(i >= k)]));
+        let mut skin: Vec<_> = self.tets.iter().flat_map(faces).collect();
+        skin.retain(|face| self.holding(face).count() == 1);
+        skin.sort_unstable();
+        skin
     }
 
     /// The tets that hold all the names (at least one), by looking at the name with the fewest tets.

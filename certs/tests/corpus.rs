@@ -15,7 +15,7 @@ const INPUTS: [&str; 4] = ["bottom.off", "middle.off", "top.off", "mesh.off"];
 const NOT_IN_CORPUS: [&str; 2] = ["usage", "size"];
 
 /// All codes of `FORMAT.md` section 3.
-const CODES: [&str; 43] = [
+const CODES: [&str; 44] = [
     "usage",
     "size",
     "bytes",
@@ -58,6 +58,7 @@ const CODES: [&str; 43] = [
     "missing-separation",
     "not-separated",
     "wrong-point",
+    "overlap",
     "-",
 ];
 

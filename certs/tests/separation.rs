@@ -1,4 +1,4 @@
-//! Planes, `disjoint-*`, `i2`.
+//! Planes, `disjoint-*`, `i2`, `disjoint-prisms`.
 mod common;
 use common::{Case, P, one_prism, tetrahedron};
 
@@ -93,4 +93,42 @@ fn any_number_of_planes() {
     let idle = "p:g0,g0,g0 ".repeat(20_000);
     mesh(&points, true, &format!("sep 0 1 {idle}n:g3,g6")).accept();
     mesh(&points, true, &format!("sep 0 1 {}", idle.trim_end())).reject("not-separated");
+}
+
+const PRISMS: &str = "disjoint-prisms";
+
+#[test]
+fn one_prism_is_disjoint() {
+    // Each side wall is flat: its four triangles, by two and two, need planes. The order cuts each along its diagonals.
+    let case = one_prism().only(&[(PRISMS, true)], &[(PRISMS, "")]);
+    case.reject("missing-separation");
+    let refuted = |facts: &str| one_prism().only(&[(PRISMS, false)], &[(PRISMS, facts)]);
+    let (low, high) = ("b0,b1,b2,m2", "m0,m1,m2,t2");
+    refuted(&format!("overlap {low} 0 0 0 1 {high} 0 0 1 0")).reject("not-refuted");
+    refuted(&format!("overlap {low} 0 0 1 1 {high} 0 0 1 0")).reject("wrong-point");
+    refuted(&format!("overlap b0,b1,m2,t2 0 0 0 1 {high} 0 0 1 0")).reject("unknown-tet");
+    refuted("tet 0 b0,b1,b2,m2 1").reject("not-refuted");
+    refuted("tet 0 b0,b1,b2,m2 -1").reject("wrong-value");
+    refuted("tet 0 b0,b1,m2,t2 1").reject("unknown-tet");
+}
+
+#[test]
+fn a_prism_on_another() {
+    let mut case =
+        one_prism().only(&[(PRISMS, false)], &[(PRISMS, "overlap m0,m1,m2,t2 0 0 0 1 b3,b4,b5,m5 0 0 1 0")]);
+    for k in 0..3 {
+        let above: Vec<P> = case.layers[k].iter().map(|p| [p[0], p[1], p[2] + 2.0]).collect();
+        case.layers[k].extend(above);
+    }
+    case.prisms.push([3, 4, 5]);
+    case.accept();
+    let claimed = case.clone().only(&[(PRISMS, true)], &[(PRISMS, "")]);
+    claimed.reject("missing-separation");
+    case.layers[0][5][2] += 0.25;
+    case.reject("wrong-point");
+    case.layers[0][5][2] = -9.0;
+    let claimed = case.clone().only(&[(PRISMS, true)], &[(PRISMS, "")]);
+    claimed.reject("missing-separation");
+    case.layers[0][5][2] = 9.0;
+    case.only(&[(PRISMS, true)], &[(PRISMS, "")]).reject("not-positive");
 }

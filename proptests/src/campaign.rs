@@ -64,7 +64,7 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
 /// # Errors
 /// An internal contradiction, or a branched lift although C1 holds.
 pub fn certified(case: &Case, positive: bool) -> Result<Option<Outcome>, String> {
-    let options = Options { claims: Claim::ALL.to_vec(), order: case.vertex_order() };
+    let options = Options { claims: Claim::STANDARD.to_vec(), order: case.vertex_order() };
     match certify(&case.shell, Some(&case.mesh), &options, &Silent) {
         Ok(outcome) => Ok(Some(outcome)),
         Err(CertifyError::Shell(_) | CertifyError::Mesh(_)) => Ok(None),

@@ -6,9 +6,11 @@
 
 pub mod campaign;
 pub mod judged;
+pub mod meshes;
 pub mod oracle;
 pub mod recipe;
 pub mod shapes;
 pub mod sheets;
 
+pub use meshes::{MeshRecipe, mesh_recipes};
 pub use recipe::{Case, Recipe, recipes};

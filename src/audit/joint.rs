@@ -4,9 +4,14 @@ use std::time::Duration;
 
 use super::options::{AuditOptions, Try};
 use crate::certify::{CertifyError, Observer};
-use crate::construct::{BuildError, InitialOptions, OptimiseOptions, initial, optimise_joint};
+use crate::construct::{
+    BuildError, InitialOptions, OptimiseOptions, Thickness, initial, optimise, optimise_joint,
+};
 use crate::mesh::TriMesh;
 use crate::shell::Shell;
+
+/// Rounds of polishing.
+const POLISH: usize = 3;
 
 /// How to make a shell.
 #[derive(Clone, Copy, Debug)]
@@ -38,13 +43,19 @@ fn around(
     options: &ShellOptions,
     observer: &dyn Observer,
 ) -> Result<Shell, BuildError> {
-    let first = initial(a, &InitialOptions { thickness: options.thickness }, observer)?;
+    let thickness = Thickness::Share(options.thickness);
+    let first = initial(a, &InitialOptions { thickness, ..InitialOptions::default() }, observer)?;
+    // Polishing makes shells pretty; a few rounds of it are enough to unlock what is stuck.
     let wanted = OptimiseOptions {
-        thickness: options.thickness,
+        thickness,
         time_limit: options.time_limit,
+        polish: POLISH,
         ..OptimiseOptions::default()
     };
-    let done = optimise_joint(a, partner, &first.shell, &wanted, observer)?;
+    let done = match partner {
+        Some(partner) => optimise_joint(a, partner, &first.shell, &wanted, observer)?,
+        None => optimise(a, &first.shell, &wanted, observer)?,
+    };
     // An interruption ends the optimisation with a valid shell, but nobody waits for it.
     if observer.cancelled() { Err(CertifyError::Cancelled.into()) } else { Ok(done.shell) }
 }

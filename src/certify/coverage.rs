@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 use rayon::prelude::*;
 
 use super::CertifyError;
-use super::exact::{Weights, centre, to_integers, whole};
+use super::exact::{Vec3, Weights, centre, to_integers, whole};
 use super::lift::Lifting;
 use super::observer::Observer;
 use super::path::{Chart, ExactCorner, preimage};
@@ -109,36 +109,42 @@ fn clean_sets(cx: Lifting<'_>, dirty: &[bool]) -> Vec<Vec<u32>> {
     out
 }
 
+/// Bounds of weights, rounded outwards.
+type Bounds = [[f64; 2]; 3];
+
 /// A piece with its image.
 struct Image<'a> {
     part: &'a Part,
     corners: Vec<ExactCorner>,
     polygon: Polygon,
-    bounds: [[f64; 2]; 3],
+    /// Half spaces of the polygon.
+    sides: Vec<Vec3>,
+    bounds: Bounds,
 }
 
-/// Boxes that meet in more than their sides: only then can the polygons share area. Bounds are rounded outwards.
-fn meet(a: &[[f64; 2]; 3], b: &[[f64; 2]; 3]) -> bool {
+/// Do closed boxes meet? Only then can the polygons in them share area.
+fn meet(a: &Bounds, b: &Bounds) -> bool {
     a.iter().zip(b).all(|(a, b)| a[0] <= b[1] && b[0] <= a[1])
 }
 
 fn prism_coverage(cx: Lifting<'_>, prism: u32, parts: &[&Part]) -> Result<Coverage, CertifyError> {
     let mut images: Vec<Image<'_>> = Vec::with_capacity(parts.len());
     let mut out = Coverage::default();
-    let mut left = vec![whole()];
+    let mut left: Vec<(Bounds, Polygon)> = vec![(bounds(&whole()), whole())];
     for part in parts {
         let corners = cx.exact_polygon(part.face, part.tet, &part.masks)?;
         let polygon: Vec<Weights> = corners.iter().map(|c| to_integers(&c.projected)).collect();
-        let image = Image { part, bounds: bounds(&polygon), corners, polygon };
-        let (near, apart): (Vec<Polygon>, Vec<Polygon>) =
-            left.into_iter().partition(|p| meet(&bounds(p), &image.bounds));
+        let (sides, bounds_here) = (sides(&polygon), bounds(&polygon));
+        let image = Image { part, corners, polygon, sides, bounds: bounds_here };
+        let (near, apart): (Vec<_>, Vec<_>) = left.into_iter().partition(|(b, _)| meet(b, &image.bounds));
+        let rest = without(near.into_iter().map(|(_, p)| p).collect(), &image.sides);
         left = apart;
-        left.extend(without(near, &sides(&image.polygon)));
-        out.twice.extend(
-            images.iter().filter(|i| meet(&i.bounds, &image.bounds)).find_map(|i| twice(prism, i, &image)),
-        );
+        left.extend(rest.into_iter().map(|p| (bounds(&p), p)));
+        let near = images.iter().filter(|i| meet(&i.bounds, &image.bounds));
+        out.twice.extend(near.into_iter().find_map(|i| twice(prism, i, &image)));
         images.push(image);
     }
+    let left: Vec<Polygon> = left.into_iter().map(|(_, p)| p).collect();
     out.uncovered.extend(uncovered(prism, &left));
     Ok(out)
 }
@@ -151,7 +157,7 @@ fn uncovered(prism: u32, left: &[Polygon]) -> Option<Uncovered> {
 }
 
 fn twice(prism: u32, a: &Image<'_>, b: &Image<'_>) -> Option<Twice> {
-    let common = within(&b.polygon, &sides(&a.polygon));
+    let common = within(&b.polygon, &a.sides);
     let weights = centre(&common)?;
     let on_a = preimage(&a.corners, Chart::Middle, &weights)?;
     let on_b = preimage(&b.corners, Chart::Middle, &weights)?;

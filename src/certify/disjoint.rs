@@ -159,7 +159,12 @@ impl<'a> Job<'a> {
 }
 
 /// A point of both triangles; the first one has area.
-fn crossing(i: u32, j: u32, a: [Named<'_>; 3], b: [Named<'_>; 3]) -> Result<Crossing, CertifyError> {
+pub(crate) fn crossing(
+    i: u32,
+    j: u32,
+    a: [Named<'_>; 3],
+    b: [Named<'_>; 3],
+) -> Result<Crossing, CertifyError> {
     let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
     let coordinates: Vec<[f64; 3]> = a.iter().chain(&b).map(|n| *n.at).collect();
     let (x, _) = scale_points(&coordinates);

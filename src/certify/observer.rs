@@ -12,6 +12,11 @@ pub trait Observer: Sync {
         let _ = units;
     }
 
+    /// The shell under construction has `count` prisms now.
+    fn prisms(&self, count: u64) {
+        let _ = count;
+    }
+
     /// Should the work stop? It then ends with [`CertifyError::Cancelled`](super::CertifyError::Cancelled).
     fn cancelled(&self) -> bool {
         false

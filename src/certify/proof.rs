@@ -11,6 +11,7 @@ use super::lift::{Lift, Lifting};
 use super::observer::Observer;
 use super::orders::{self, AllOrders};
 use super::positivity::{self, Positivity};
+use super::prisms::{self, Prisms};
 use super::section::{self, Section};
 use super::witness::{Branch, Ending, NoLift};
 use super::{CertifyError, write};
@@ -21,7 +22,7 @@ use crate::shell::{Layer, Shell, VertexOrder, validate};
 /// What to certify.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The claims; those that they rest on are decided, too. Default: all.
+    /// The claims; those that they rest on are decided, too. Default: [`Claim::STANDARD`].
     pub claims: Vec<Claim>,
     /// The vertex order of C2 and C4. Default: by id.
     pub order: VertexOrder,
@@ -29,7 +30,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { claims: Claim::ALL.to_vec(), order: VertexOrder::Id }
+        Self { claims: Claim::STANDARD.to_vec(), order: VertexOrder::Id }
     }
 }
 
@@ -46,7 +47,7 @@ pub struct Count {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refutation {
     /// The kind of witness: `tet`, `cap`, `wall`, `boundary`, `fold`, `outside`, `twice`, `monodromy`, `lands`, `components`,
-    /// `euler`, `crossing`, `contact`, or the name of the claim that this one rests on.
+    /// `euler`, `crossing`, `contact`, `overlap`, or the name of the claim that this one rests on.
     pub kind: &'static str,
     /// The witness in words.
     pub text: String,
@@ -106,6 +107,7 @@ pub(crate) struct Facts {
     /// Against the mesh itself, bottom and top.
     pub(crate) disjoint: Option<[Disjoint; 3]>,
     pub(crate) contacts: Option<Implied<Contacts>>,
+    pub(crate) prisms: Option<Prisms>,
 }
 
 /// A claim that was decided, or that is refuted because a claim which it rests on is.
@@ -132,6 +134,7 @@ impl Facts {
                 matches!(self.all_orders.as_ref()?, Implied::Decided(AllOrders::Certified(_)))
             }
             Claim::Disjoint => self.disjoint.as_ref()?.iter().all(|d| d.crossings.is_empty()),
+            Claim::DisjointPrisms => self.prisms.as_ref()?.holds(),
             Claim::I2 => {
                 matches!(self.contacts.as_ref()?, Implied::Decided(c) if c.contacts.is_empty())
             }
@@ -147,7 +150,7 @@ pub(crate) struct Subject<'a> {
     pub(crate) order: &'a VertexOrder,
 }
 
-/// Decides claims about a shell and, except for `positivity`, a mesh; the result does not depend on the number of
+/// Decides claims about a shell and, except for `positivity` and `disjoint-prisms`, a mesh; the result does not depend on the number of
 /// threads.
 ///
 /// Time is linear up to logarithms in the size of the shell, the mesh and their overlay; memory likewise.
@@ -162,7 +165,7 @@ pub fn certify(
 ) -> Result<Outcome, CertifyError> {
     let wanted: BTreeSet<Claim> =
         options.claims.iter().flat_map(|c| c.with_prerequisites()).copied().collect();
-    let needs_mesh = wanted.iter().find(|c| **c != Claim::Positivity);
+    let needs_mesh = wanted.iter().find(|c| c.needs_mesh());
     observer.stage("reading", None);
     validate::validate(shell)?;
     let order = VertexOrder::clone(&options.order);
@@ -179,6 +182,11 @@ pub fn certify(
     if let Some(claim) = needs_mesh {
         let mesh = mesh.ok_or(CertifyError::NoMesh { claim: claim.name() })?;
         about_mesh(&subject, mesh, &wanted, &mut facts, &mut seconds, observer)?;
+    }
+    if wanted.contains(&Claim::DisjointPrisms) {
+        observer.stage("disjoint-prisms", None);
+        let decide = || prisms::decide(shell, &order, observer);
+        facts.prisms = Some(seconds.of(Claim::DisjointPrisms, decide)?);
     }
     let claims =
         wanted.iter().filter_map(|&c| Some(result(shell, c, facts.verdict(c)?, &facts, &seconds))).collect();
@@ -296,6 +304,7 @@ fn result(shell: &Shell, claim: Claim, verdict: Verdict, facts: &Facts, seconds:
         Claim::SectionAllOrders => all_orders_result(facts, &mut out),
         Claim::Disjoint => disjoint_result(facts, &mut out),
         Claim::I2 => i2_result(facts, &mut out),
+        Claim::DisjointPrisms => prisms_result(facts, &mut out),
     }
     out
 }
@@ -490,5 +499,25 @@ fn i2_result(facts: &Facts, out: &mut ClaimResult) {
         }
         Some(Implied::Refuted(by)) => out.implied(*by),
         None => {}
+    }
+}
+
+fn prisms_result(facts: &Facts, out: &mut ClaimResult) {
+    let Some(found) = &facts.prisms else { return };
+    if let Some(bad) = &found.bad {
+        let (tet, value) = (write::names(&bad.names), write::value(&bad.value));
+        let text = format!("tet {tet} of prism {} has determinant {value}", bad.prism);
+        out.refute("tet", text, vec![bad.prism], Vec::new());
+        out.refutations.last_mut().into_iter().for_each(|r| r.value = Some(value.clone()));
+        return;
+    }
+    out.count("skin_triangles", found.skin);
+    out.count("pairs", usize::try_from(found.pairs).unwrap_or(usize::MAX));
+    out.count("pairs_with_stated_planes", found.separations.len());
+    out.count("overlaps", found.overlaps.len());
+    for overlap in found.overlaps.iter().take(Refutation::LISTED) {
+        let ([a, b], [p, q]) = (overlap.tets.each_ref().map(|t| write::names(t)), overlap.prisms);
+        let text = format!("tet {a} of prism {p} and tet {b} of prism {q} share more than a face");
+        out.refute("overlap", text, vec![p, q], Vec::new());
     }
 }

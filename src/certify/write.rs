@@ -11,6 +11,7 @@ use super::disjoint::Disjoint;
 use super::i2::Contacts;
 use super::lift::{Carriers, Lift};
 use super::orders::AllOrders;
+use super::prisms::Prisms;
 use super::proof::{Facts, Implied, Subject};
 use super::section::Section;
 use super::separate::PlaneName;
@@ -81,11 +82,13 @@ fn hash<'p>(points: impl Iterator<Item = &'p [f64; 3]>, faces: &[[u32; 3]]) -> S
     out
 }
 
-fn shell_hash(shell: &Shell) -> String {
+/// The SHA-256 of a shell, as in certificates.
+pub(crate) fn shell_hash(shell: &Shell) -> String {
     hash(shell.bottom.iter().chain(&shell.middle).chain(&shell.top), &shell.faces)
 }
 
-fn mesh_hash(mesh: &TriMesh) -> String {
+/// The SHA-256 of a mesh, as in certificates.
+pub(crate) fn mesh_hash(mesh: &TriMesh) -> String {
     hash(mesh.vertices.iter(), &mesh.faces)
 }
 
@@ -119,6 +122,10 @@ pub(crate) fn certificate(subject: &Subject<'_>, facts: &Facts) -> String {
     if let Some(Implied::Decided(found)) = &facts.contacts {
         out.begin("i2");
         contacts(found, &mut out);
+    }
+    if let Some(found) = &facts.prisms {
+        out.begin("disjoint-prisms");
+        prisms(found, &mut out);
     }
     if out.counts.is_empty() {
         out.line(format_args!("counts"));
@@ -246,5 +253,20 @@ fn contacts(found: &Contacts, out: &mut Out) {
         let (a, b) = (joined(&c.in_face, " "), joined(&c.in_tet, " "));
         let (tet, value) = (names(&c.names), value(&c.value));
         out.fact(format_args!("contact {} {} {tet} {a} {b} {value}", c.face, c.prism));
+    }
+}
+
+fn prisms(found: &Prisms, out: &mut Out) {
+    if let Some(bad) = &found.bad {
+        tet(bad, out);
+    } else if found.overlaps.is_empty() {
+        for (i, j, list) in &found.separations {
+            out.fact(format_args!("sep {i} {j} {}", planes(list)));
+        }
+    }
+    for overlap in &found.overlaps {
+        let [a, b] =
+            [0, 1].map(|k| format!("{} {}", names(&overlap.tets[k]), joined(&overlap.weights[k], " ")));
+        out.fact(format_args!("overlap {a} {b}"));
     }
 }

@@ -25,7 +25,8 @@ pub(super) struct Args {
     /// Vertex order of `section` and `bijection`: `id`, or a file of all vertex ids, smallest first
     #[arg(long, value_name = "id|FILE", default_value = "id")]
     order: String,
-    /// Claims to decide; default: all. positivity, section, bijection, section-all-orders, disjoint, i2
+    /// Claims to decide; default: positivity, section, bijection, section-all-orders, disjoint, i2. There is also
+    /// disjoint-prisms: the shell does not overlap itself
     #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
     claim: Vec<String>,
     /// Where the certificate (or the refutation) goes; an existing file is replaced, but only when there is a verdict
@@ -59,7 +60,7 @@ impl Args {
 
     fn claims(&self) -> Result<Vec<Claim>, CliError> {
         if self.claim.is_empty() {
-            return Ok(Claim::ALL.to_vec());
+            return Ok(Claim::STANDARD.to_vec());
         }
         let known = Claim::ALL.map(Claim::name).join(", ");
         let find = |name: &String| {
@@ -80,12 +81,7 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
         None => Json::from_arguments(args.json.take(), &mut args.shell),
     };
     let claims = args.claims()?;
-    if let Some(threads) = args.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(usize::from(threads))
-            .build_global()
-            .map_err(|e| CliError::Threads(e.to_string()))?;
-    }
+    super::threads(args.threads)?;
     let progress = Progress::new(args.quiet);
     let loaded = Loaded::read(args.shell.as_deref(), &args.three, args.mesh.as_deref())?;
     let order = input::order(&args.order, loaded.shell().vertex_count())?;

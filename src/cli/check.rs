@@ -43,7 +43,8 @@ pub(super) fn answer(outcome: &homeo_certs::Outcome) -> String {
     out
 }
 
-fn first_line(outcome: &homeo_certs::Outcome) -> String {
+/// The status with its code and message.
+pub(super) fn first_line(outcome: &homeo_certs::Outcome) -> String {
     let mut out = outcome.status.to_owned();
     for (before, part) in [(" ", outcome.code), (" : ", outcome.message.as_str())] {
         if !part.is_empty() {
@@ -85,4 +86,10 @@ pub(super) fn self_check(certificate: &str, loaded: &Loaded) -> Result<Checked, 
     } else {
         Err(CliError::Disagreement(first_line(&outcome)))
     }
+}
+
+/// Lets the independent checker check a certificate against the contents of its inputs.
+pub(super) fn accepted(certificate: &str, files: &[Vec<u8>]) -> Result<(), CliError> {
+    let outcome = homeo_certs::check(certificate.as_bytes(), files);
+    if outcome.exit == 0 { Ok(()) } else { Err(CliError::Disagreement(first_line(&outcome))) }
 }

@@ -6,11 +6,13 @@ use crate::audit::AuditError;
 use crate::audit::batch::JournalError;
 use crate::certify::CertifyError;
 use crate::construct::BuildError;
+use crate::construct::optimise::checkpoint::CheckpointError;
 use crate::mesh::{MeshError, UvError};
 use crate::shell::hdf5;
 use crate::shell::three::ThreeError;
 use crate::shell::validate::ShellError;
 use crate::shell::vtu::VtuError;
+use crate::transfer::attribute::AttributeError;
 
 /// Why a command has no answer. Printed as one line on standard error; exit code 2.
 #[derive(Debug, thiserror::Error)]
@@ -65,6 +67,14 @@ pub enum CliError {
         /// The reason.
         source: Box<BuildError>,
     },
+    /// A checkpoint is not resumed from.
+    #[error("{file}: {source}")]
+    Checkpoint {
+        /// The checkpoint file.
+        file: String,
+        /// The reason.
+        source: Box<CheckpointError>,
+    },
     /// A shell that was built did not certify; nothing was written. An error of the program: please report it.
     #[error("{file}: the shell that was built does not certify, so nothing was written: {reason}")]
     NotProved {
@@ -73,6 +83,30 @@ pub enum CliError {
         /// The first refutation.
         reason: String,
     },
+    /// The independent checker did not accept the files as written; they were removed. An error of the program.
+    #[error(
+        "{file}: internal contradiction, please report it with the input: the independent checker says `{answer}` about the \
+         shell and the certificate as written; nothing was left in place"
+    )]
+    NotAccepted {
+        /// The shell file.
+        file: String,
+        /// The checker's first line.
+        answer: String,
+    },
+    /// A map that is not known to be a bijection.
+    #[error(
+        "{mesh}: not certified as a section of this shell, so nothing was carried: {reason} (--unproved carries on all the same)"
+    )]
+    Unproved {
+        /// The mesh.
+        mesh: String,
+        /// The reason.
+        reason: String,
+    },
+    /// Attributes that could not be read, carried or written.
+    #[error(transparent)]
+    Attribute(#[from] AttributeError),
     /// A shell could not be written for ParaView.
     #[error(transparent)]
     Vtu(#[from] VtuError),

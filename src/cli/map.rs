@@ -115,9 +115,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
     if progress.interrupted() {
         return Err(CliError::Interrupted);
     }
+    let files: Vec<Vec<u8>> =
+        pair.complexes.iter().map(|complex| pl::complex_file(complex).into_bytes()).collect();
+    super::check::accepted(&outcome.certificate, &files)?;
     drop(progress);
-    for (path, complex) in written.iter().zip(&pair.complexes) {
-        output::replace(path, pl::complex_file(complex).as_bytes())?;
+    for (path, file) in written.iter().zip(&files) {
+        output::replace(path, file)?;
     }
     if let Some(path) = &args.output {
         output::replace(path, outcome.certificate.as_bytes())?;

@@ -1,7 +1,8 @@
 //! The `homeo` command line: one file a command; parses, calls the library, prints. No geometry.
 //!
 //! Exit codes: 0 certified (or: done, valid), 1 refuted (or: has defects), 2 usage or input error. `check` has the
-//! codes of `homeo-check`: 0 valid, 1 invalid, 2 malformed, 3 limit reached.
+//! codes of `homeo-check`: 0 valid, 1 invalid, 2 malformed, 3 limit reached. `build` stopped by a first Ctrl-C while it
+//! optimises ends with 0: the shell is written and certified; a second Ctrl-C ends any command at once, with 2.
 
 // Errors here end the process: their size does not matter.
 #![allow(clippy::result_large_err)]
@@ -9,8 +10,10 @@
 mod audit;
 mod audit_batch;
 mod build;
+mod build_report;
 mod certify;
 mod check;
+mod checkpoint;
 mod convert;
 mod demo;
 mod error;
@@ -22,7 +25,9 @@ mod mesh_info;
 mod output;
 mod progress;
 mod project;
+mod section;
 mod tet_info;
+mod transfer;
 
 use std::process::ExitCode;
 
@@ -54,6 +59,8 @@ enum Command {
     Check(check::Args),
     /// Project points along a shell, exactly
     Project(project::Args),
+    /// Carry attributes from one section of a shell to another, exactly or in f64
+    Transfer(transfer::Args),
     /// Facts about a shell file, and whether it is a valid input
     Inspect(inspect::Args),
     /// Convert meshes and shells between file formats
@@ -77,13 +84,14 @@ pub fn main() -> ExitCode {
     };
     let done = match cli.command {
         Command::Demo(args) => demo::run(&args),
+        Command::Build(args) => build::run(args),
         Command::Audit(args) => audit::run(&args),
         Command::Merge(args) => audit_batch::merge(&args),
-        Command::Build(args) => build::run(&args),
         Command::Convert(args) => convert::run(&args),
         Command::Certify(args) => certify::run(args),
         Command::Check(args) => check::run(&args),
         Command::Project(args) => project::run(args),
+        Command::Transfer(args) => transfer::run(&args),
         Command::Inspect(args) => inspect::run(args),
         Command::Map(args) => map::run(&args),
         Command::MeshInfo(args) => mesh_info::run(args),
@@ -92,4 +100,11 @@ pub fn main() -> ExitCode {
         output::complain(&error);
         ExitCode::from(2)
     })
+}
+
+/// Sets the number of threads, if one is asked for.
+fn threads(number: Option<u16>) -> Result<(), CliError> {
+    let Some(number) = number else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(number));
+    pool.build_global().map_err(|e| CliError::Threads(e.to_string()))
 }

@@ -132,12 +132,40 @@ fn same_file(a: &Path, b: &Path) -> bool {
 /// Puts all bytes into a temporary file in the same directory and renames it: an existing file is replaced whole or
 /// not at all. A link is followed.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    save(&target, bytes)
-        .map_err(|e| CliError::Write { file: path.display().to_string(), reason: e.to_string() })
+    Staged::new(path, bytes)?.place()
 }
 
-fn save(target: &Path, bytes: &[u8]) -> io::Result<()> {
+/// A whole file that is not in its place yet; dropped, it is gone.
+pub(super) struct Staged {
+    file: tempfile::NamedTempFile,
+    target: PathBuf,
+    name: String,
+}
+
+impl Staged {
+    /// Writes all bytes into a temporary file in the directory of `path`.
+    pub(super) fn new(path: &Path, bytes: &[u8]) -> Result<Self, CliError> {
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let name = path.display().to_string();
+        let file = save(&target, bytes)
+            .map_err(|e| CliError::Write { file: name.clone(), reason: e.to_string() })?;
+        Ok(Self { file, target, name })
+    }
+
+    /// Where the bytes are.
+    pub(super) fn path(&self) -> &Path {
+        self.file.path()
+    }
+
+    /// Puts it into its place by renaming.
+    pub(super) fn place(self) -> Result<(), CliError> {
+        let Self { file, target, name } = self;
+        let placed = file.persist(target);
+        placed.map(|_| ()).map_err(|e| CliError::Write { file: name, reason: e.error.to_string() })
+    }
+}
+
+fn save(target: &Path, bytes: &[u8]) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     {
@@ -147,6 +175,5 @@ fn save(target: &Path, bytes: &[u8]) -> io::Result<()> {
     }
     let mut file = builder.tempfile_in(parent(target))?;
     file.write_all(bytes)?;
-    file.persist(target)?;
-    Ok(())
+    Ok(file)
 }

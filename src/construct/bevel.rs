@@ -9,7 +9,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::direction::{float_normal, is_proved, unit};
+use super::direction::{direction_for, float_normal, is_proved, unit};
 use super::draft::Draft;
 use crate::mesh::connectivity::Side;
 use crate::mesh::{Connectivity, TriMesh};
@@ -123,7 +123,10 @@ impl Beveler<'_> {
         }
         let [a, b] = faces.map(|f| float_normal(self.input.corners(f)));
         let mean = unit(std::array::from_fn(|i| a[i] + b[i]));
-        if is_proved(self.input.mesh, &faces, &mean) { mean } else { a }
+        if is_proved(self.input.mesh, &faces, &mean) {
+            return mean;
+        }
+        direction_for(self.input.mesh, &faces).unwrap_or(a)
     }
 
     /// Cuts up a triangle that is not beveled: a fan over its corners and the points on its sides.

@@ -2,6 +2,8 @@
 //! touches all triangles at both. Directions are turned until both ends suit both stars; where that fails one end is
 //! pinched, never both.
 
+use rustc_hash::{FxHashMap, FxHashSet};
+
 use super::direction::{direction_for, is_proved};
 use crate::mesh::{Connectivity, TriMesh};
 
@@ -51,15 +53,43 @@ impl Pillars<'_> {
                 self.direction[v as usize] = d;
             }
         }
-        for edge in edges {
-            if self.suits(edge) {
+        for chain in self.chains() {
+            self.pinch_along(&chain);
+        }
+    }
+
+    /// The boundary loops as edges head to tail, each from an edge that suits, if there is one.
+    fn chains(&self) -> Vec<Vec<[u32; 2]>> {
+        let next: FxHashMap<u32, u32> =
+            self.connectivity.boundary().map(|s| self.connectivity.ends(s)).map(|[u, w]| (u, w)).collect();
+        let mut starts: Vec<u32> = next.keys().copied().collect();
+        starts.sort_unstable();
+        let mut seen = FxHashSet::default();
+        let mut out = Vec::new();
+        for start in starts {
+            let mut chain = Vec::new();
+            let mut at = start;
+            while seen.insert(at) {
+                let Some(&to) = next.get(&at) else { break };
+                chain.push([at, to]);
+                at = to;
+            }
+            let first = chain.iter().position(|e| self.suits(*e)).unwrap_or(0);
+            chain.rotate_left(first);
+            out.push(chain);
+        }
+        out
+    }
+
+    /// Pinches the far end of every edge that does not suit, so that one pinch serves two edges; where the end after it
+    /// is pinched already, the near end.
+    fn pinch_along(&mut self, chain: &[[u32; 2]]) {
+        for &[u, w] in chain {
+            if self.suits([u, w]) {
                 continue;
             }
-            // Of the two ends the one whose further edge does not suit either; then one pinch serves two edges.
-            let misfits = |v: u32| self.along(v).iter().filter(|&&u| !self.suits([v, u])).count();
-            let free = |v: &u32| self.along(*v).iter().all(|&u| !self.pinched[u as usize]);
-            let best = edge.into_iter().filter(free).max_by_key(|&v| misfits(v));
-            if let Some(v) = best {
+            let free = |v: u32| self.along(v).iter().all(|&u| !self.pinched[u as usize]);
+            if let Some(v) = [w, u].into_iter().find(|v| free(*v)) {
                 self.pinched[v as usize] = true;
             }
         }

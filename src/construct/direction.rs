@@ -3,6 +3,7 @@
 
 use dashu_int::IBig;
 
+use super::fixed;
 use crate::certify::exact::{Vec3, cross, dot, minus};
 use crate::mesh::{Connectivity, TriMesh};
 use crate::number::dyadic::scale_points;
@@ -48,7 +49,8 @@ pub fn directions(mesh: &TriMesh, connectivity: &Connectivity) -> Vec<Direction>
 /// because the prism on it touches all triangles at both ends.
 pub(crate) fn direction_for(mesh: &TriMesh, faces: &[u32]) -> Option<[f64; 3]> {
     let normals: Vec<[f64; 3]> = faces.iter().map(|&f| float_normal(corners(mesh, f))).collect();
-    most_normal(&normals).filter(|d| is_proved(mesh, faces, d))
+    let proved = |d: &[f64; 3]| is_proved(mesh, faces, d);
+    most_normal(&normals).filter(proved).or_else(|| fixed::most_normal(mesh, faces).filter(proved))
 }
 
 fn corners(mesh: &TriMesh, face: u32) -> [&[f64; 3]; 3] {
@@ -67,7 +69,11 @@ pub(crate) fn direction(mesh: &TriMesh, faces: &[u32]) -> Direction {
             return Direction::Proved(d);
         }
     }
-    farkas(mesh, faces).map_or(Direction::Undecided, Direction::Singular)
+    if let Some(proof) = farkas(mesh, faces) {
+        return Direction::Singular(proof);
+    }
+    let careful = fixed::most_normal(mesh, faces).filter(|d| is_proved(mesh, faces, d));
+    careful.map_or(Direction::Undecided, Direction::Proved)
 }
 
 /// Does the vector have a positive exact dot product with the normals of all faces?

@@ -2,25 +2,59 @@
 
 use super::bevel::{Input, bevel};
 use super::boundary::Pillars;
-use super::direction::{Direction, directions, float_dot, float_normal};
+use super::direction::{Direction, directions, float_cross, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::{self, BuildError};
-use super::thickness::{self, Shrunk};
+use super::scale::Scale;
+use super::thickness::{self, Against, Shrunk};
 use crate::certify::Observer;
 use crate::mesh::{Connectivity, TriMesh};
 use crate::shell::Shell;
 
-/// How to build.
-#[derive(Clone, Copy, Debug)]
-pub struct InitialOptions {
-    /// Largest thickness of each half, as a share of the longest edge of the mesh's bounding box.
-    pub thickness: f64,
+/// Largest thickness of each half of a shell. A wish that steers: whatever it is, what is built is judged exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Thickness {
+    /// A share of the longest edge of the mesh's bounding box.
+    Share(f64),
+    /// A length in the mesh's units.
+    Absolute(f64),
 }
 
-impl Default for InitialOptions {
-    fn default() -> Self {
-        Self { thickness: 0.1 }
+impl Thickness {
+    /// The length for a mesh.
+    #[must_use]
+    pub fn length(self, mesh: &TriMesh) -> f64 {
+        match self {
+            Self::Share(share) => share * longest_box_edge(mesh),
+            Self::Absolute(length) => length,
+        }
     }
+
+    /// The wish for the mesh scaled.
+    pub(crate) fn scaled(self, scale: Scale) -> Self {
+        match self {
+            Self::Share(_) => self,
+            Self::Absolute(length) => Self::Absolute(scale.length(length)),
+        }
+    }
+}
+
+impl Default for Thickness {
+    fn default() -> Self {
+        Self::Share(0.1)
+    }
+}
+
+/// How to build.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct InitialOptions {
+    /// Largest thickness of each half.
+    pub thickness: Thickness,
+    /// Build around a mesh that intersects itself, too: then prisms are kept clear of the triangles around their own one
+    /// only (*Shell* section 6), and no claim about all pairs in space holds (C3+, C6).
+    pub allow_self_intersections: bool,
+    /// Shrink until the shell does not overlap itself (claim `disjoint-prisms`).
+    pub no_overlap: bool,
 }
 
 /// An initial shell.
@@ -51,9 +85,22 @@ pub fn initial(
     observer: &dyn Observer,
 ) -> Result<Initial, BuildError> {
     observer.stage("input", None);
-    let connectivity = gate::check(mesh, observer)?;
+    let connectivity = gate::check(mesh, options.allow_self_intersections, observer)?;
+    let scale = Scale::of(mesh);
+    let scaled = InitialOptions { thickness: options.thickness.scaled(scale), ..*options };
+    let mut out = at_size_one(&scale.mesh(mesh)?, &connectivity, &scaled, observer)?;
+    out.shell = scale.inverse().shell(&out.shell)?;
+    Ok(out)
+}
+
+fn at_size_one(
+    mesh: &TriMesh,
+    connectivity: &Connectivity,
+    options: &InitialOptions,
+    observer: &dyn Observer,
+) -> Result<Initial, BuildError> {
     observer.stage("directions", None);
-    let directions = directions(mesh, &connectivity);
+    let directions = directions(mesh, connectivity);
     let mut direction: Vec<[f64; 3]> = directions
         .iter()
         .map(|d| match d {
@@ -63,17 +110,18 @@ pub fn initial(
         .collect();
     let mut pinched: Vec<bool> =
         directions.iter().map(|d| matches!(d, Direction::Singular(_) | Direction::Undecided)).collect();
-    let most = options.thickness * longest_box_edge(mesh);
-    Pillars { mesh, connectivity: &connectivity, direction: &mut direction, pinched: &mut pinched }.settle();
+    let most = options.thickness.length(mesh);
+    Pillars { mesh, connectivity, direction: &mut direction, pinched: &mut pinched }.settle();
     loop {
-        let input = Input { mesh, connectivity: &connectivity, direction: &direction, pinched: &pinched };
+        let input = Input { mesh, connectivity, direction: &direction, pinched: &pinched };
         observer.stage("beveling", None);
         let marks = input.to_bevel();
         let mut draft = bevel(&input, &marks);
         no_two_pinched(&draft)?;
         observer.stage("thickness", None);
-        thickness::first_guess(&mut draft, mesh, most);
-        match thickness::shrink(&mut draft, mesh, &connectivity, observer)? {
+        let against = Against { mesh, connectivity, all: !options.allow_self_intersections };
+        thickness::first_guess(&mut draft, &against, most);
+        match thickness::shrink(&mut draft, &against, options.no_overlap, observer)? {
             Shrunk::Fits(rounds) => {
                 let beveled = marks.iter().filter(|b| **b).count();
                 let shell = draft.shell();
@@ -84,14 +132,46 @@ pub fn initial(
             Shrunk::Stuck { places, reason } => {
                 let mut new = false;
                 for &(_, triangle) in &places {
-                    new |= pinch_worst(&input_of(mesh, &connectivity, &direction), triangle, &mut pinched);
+                    new |= pinch_worst(&input_of(mesh, connectivity, &direction), triangle, &mut pinched);
                 }
                 if let (false, Some(&(vertex, triangle))) = (new, places.first()) {
-                    return Err(BuildError::NoThickness { vertex, triangle, reason });
+                    return Err(no_thickness(mesh, connectivity, (vertex, triangle), reason));
                 }
             }
         }
     }
+}
+
+/// Triangles need to be so many spacings of doubles high, or rounding may be what is in the way: a square root of the
+/// precision. It chooses the words of the error only.
+const ROOM: f64 = (1u64 << 26) as f64;
+
+/// Why there is no thickness: the triangle or one around it is hardly larger than the spacing of doubles, or another
+/// reason.
+fn no_thickness(
+    mesh: &TriMesh,
+    connectivity: &Connectivity,
+    (vertex, triangle): (u32, u32),
+    reason: &'static str,
+) -> BuildError {
+    let face = mesh.faces[triangle as usize];
+    let largest = face.iter().flat_map(|&v| mesh.vertices[v as usize]).fold(0.0f64, |m, x| m.max(x.abs()));
+    let spacing = largest * f64::EPSILON;
+    let around = face.into_iter().flat_map(|v| connectivity.star(v)).map(|c| c.face());
+    let least = around.map(|f| height(mesh, f)).fold(f64::INFINITY, f64::min);
+    if least < ROOM * spacing {
+        return BuildError::Coarse { vertex, triangle, spacing, reason };
+    }
+    BuildError::NoThickness { vertex, triangle, reason }
+}
+
+/// The smallest height of a triangle, about.
+fn height(mesh: &TriMesh, f: u32) -> f64 {
+    let [a, b, c] = mesh.faces[f as usize].map(|v| mesh.vertices[v as usize]);
+    let edge = |p: &[f64; 3], q: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| q[i] - p[i]) };
+    let (x, y, z) = (edge(&a, &b), edge(&a, &c), edge(&b, &c));
+    let length = |v: &[f64; 3]| float_dot(v, v).sqrt();
+    length(&float_cross(&x, &y)) / length(&x).max(length(&y)).max(length(&z))
 }
 
 /// What choosing a vertex to pinch needs.
@@ -145,12 +225,17 @@ fn no_two_pinched(draft: &Draft) -> Result<(), BuildError> {
     Ok(())
 }
 
-/// The longest edge of the bounding box.
-pub(crate) fn longest_box_edge(mesh: &TriMesh) -> f64 {
+/// Half the longest edge of the bounding box: the whole could overflow. Vertices that no triangle uses don't count.
+pub(crate) fn half_box_edge(mesh: &TriMesh) -> f64 {
     (0..3)
         .map(|i| {
-            let x = || mesh.vertices.iter().map(|p| p[i]);
+            let x = || mesh.faces.iter().flatten().map(|&v| 0.5 * mesh.vertices[v as usize][i]);
             x().fold(f64::NEG_INFINITY, f64::max) - x().fold(f64::INFINITY, f64::min)
         })
         .fold(0.0, f64::max)
+}
+
+/// The longest edge of the bounding box.
+pub(crate) fn longest_box_edge(mesh: &TriMesh) -> f64 {
+    2.0 * half_box_edge(mesh)
 }

@@ -5,9 +5,10 @@ use rayon::prelude::*;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-use super::direction::{float_cross, float_dot};
+use super::direction::{float_cross, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::BuildError;
+use super::overlap;
 use crate::certify::complex::{Boundary, MeshView};
 use crate::certify::disjoint::{self, About};
 use crate::certify::{Observer, i2, positivity};
@@ -16,14 +17,37 @@ use crate::shell::{Layer, Name, Slab};
 
 /// What is left of a free ray: bottom and top keep a distance from what the ray hits.
 const CLEARANCE: f64 = 0.4;
-/// What is left of a thickness after one shrinking.
-const SHRINK: f64 = 0.7;
-/// A thickness below this share of its first guess will not do: whatever is in the way does not get out of it by
-/// shrinking (*Shell* Figure 14). Not a tolerance: what is built is judged exactly, this only ends the attempt.
-const LEAST: f64 = 1e-6;
+/// What is left of a thickness after one shrinking: more of it at first, and less when it happens again and again.
+const SHRINK: [(u32, f64); 3] = [(8, 0.7), (14, 0.5), (u32::MAX, 0.25)];
+/// A thickness below this share of the shortest edge at its vertex will not do: whatever is in the way does not get out
+/// of it by shrinking (*Shell* Figure 14). Not a tolerance: what is built is judged exactly, this only ends the attempt.
+const LEAST: f64 = 1e-13;
+
+const NOT_POSITIVE: &str = "the prism is not positive";
+
+/// What the shell must be clear of.
+pub(crate) struct Against<'a> {
+    pub(crate) mesh: &'a TriMesh,
+    pub(crate) connectivity: &'a Connectivity,
+    /// All triangles, or only those that share a vertex with a prism's own one?
+    pub(crate) all: bool,
+}
+
+impl Against<'_> {
+    /// Does the triangle count for prisms and rays on these ones?
+    fn counts(&self, f: u32, own: &[u32]) -> bool {
+        self.all || own.iter().any(|&o| self.touch(f, o))
+    }
+
+    fn touch(&self, f: u32, g: u32) -> bool {
+        let [f, g] = [f, g].map(|f| self.mesh.faces[f as usize]);
+        f.iter().any(|v| g.contains(v))
+    }
+}
 
 /// Sets every vertex's thickness to `most`, or to a share of the free way along its pillar, if that is less.
-pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
+pub(crate) fn first_guess(draft: &mut Draft, against: &Against<'_>, most: f64) {
+    let mesh = against.mesh;
     let corners = |f: &[u32; 3]| f.map(|v| mesh.vertices[v as usize]);
     let leaf = |(id, f): (usize, &[u32; 3])| {
         let p = corners(f);
@@ -32,11 +56,21 @@ pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
         GeomWithData::new(Rectangle::from_corners(low, high), u32::try_from(id).unwrap_or(u32::MAX))
     };
     let tree = RTree::bulk_load(mesh.faces.iter().enumerate().map(leaf).collect());
+    // The triangles that each vertex lies in: a ray does not come back to them, but rounding may have put its start
+    // beside them.
+    let mut own: Vec<Vec<u32>> = vec![Vec::new(); draft.middle.len()];
+    for (face, &origin) in draft.faces.iter().zip(&draft.origin) {
+        for &v in face {
+            if !own[v as usize].contains(&origin) {
+                own[v as usize].push(origin);
+            }
+        }
+    }
     let free: Vec<[f64; 2]> = (0..draft.middle.len())
         .into_par_iter()
         .map(|v| {
-            let (m, d) = (draft.middle[v], draft.direction[v]);
-            [1.0, -1.0].map(|sign| free_way(mesh, &tree, m, d.map(|x| x * sign), most))
+            let ray = Ray { against, from: draft.middle[v], own: &own[v] };
+            [1.0, -1.0].map(|sign| ray.free_way(&tree, &draft.direction[v].map(|x| x * sign), most))
         })
         .collect();
     for (v, [up, down]) in free.into_iter().enumerate() {
@@ -45,43 +79,52 @@ pub(crate) fn first_guess(draft: &mut Draft, mesh: &TriMesh, most: f64) {
     }
 }
 
-/// How far a ray goes, up to a little more than `most`, before it hits a triangle that it does not start in.
-fn free_way(
-    mesh: &TriMesh,
-    tree: &RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>,
+/// A ray from a vertex.
+struct Ray<'a> {
+    against: &'a Against<'a>,
     from: [f64; 3],
-    direction: [f64; 3],
-    most: f64,
-) -> f64 {
-    let reach = most / CLEARANCE;
-    // Nested boxes: most rays end soon, and a long thin box would hold much of the mesh.
-    let mut length = reach / 64.0;
-    loop {
-        length = (length * 4.0).min(reach);
-        let to: [f64; 3] = std::array::from_fn(|i| from[i] + length * direction[i]);
-        let hit = tree
-            .locate_in_envelope_intersecting(&AABB::from_corners(from, to))
-            .filter_map(|g| hit(mesh, g.data, &from, &direction))
-            .fold(f64::INFINITY, f64::min);
-        if hit <= length || length >= reach {
-            return hit.min(reach);
-        }
-    }
+    /// Triangles that it starts in.
+    own: &'a [u32],
 }
 
-/// The ray's parameter at a triangle; hits at the very start are the ray's own triangles. A guess in floats.
-fn hit(mesh: &TriMesh, f: u32, from: &[f64; 3], direction: &[f64; 3]) -> Option<f64> {
-    let [a, b, c] = mesh.faces[f as usize].map(|v| mesh.vertices[v as usize]);
-    let minus = |p: &[f64; 3], q: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| p[i] - q[i]) };
-    let (e1, e2) = (minus(&b, &a), minus(&c, &a));
-    let p = float_cross(direction, &e2);
-    let volume = float_dot(&e1, &p);
-    let s = minus(from, &a);
-    let q = float_cross(&s, &e1);
-    let (u, v, t) =
-        (float_dot(&s, &p) / volume, float_dot(direction, &q) / volume, float_dot(&e2, &q) / volume);
-    let size = e1.iter().chain(&e2).fold(0.0f64, |m, x| m.max(x.abs()));
-    (u >= -1e-9 && v >= -1e-9 && u + v <= 1.0 + 1e-9 && t > 1e-7 * size).then_some(t)
+impl Ray<'_> {
+    /// How far it goes, up to a little more than `most`, before it hits a triangle.
+    fn free_way(
+        &self,
+        tree: &RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>,
+        direction: &[f64; 3],
+        most: f64,
+    ) -> f64 {
+        let reach = most / CLEARANCE;
+        // Nested boxes: most rays end soon, and a long thin box would hold much of the mesh.
+        let mut length = reach / 64.0;
+        loop {
+            length = (length * 4.0).min(reach);
+            let to: [f64; 3] = std::array::from_fn(|i| self.from[i] + length * direction[i]);
+            let hit = tree
+                .locate_in_envelope_intersecting(&AABB::from_corners(self.from, to))
+                .filter(|g| !self.own.contains(&g.data) && self.against.counts(g.data, self.own))
+                .filter_map(|g| self.hit(g.data, direction))
+                .fold(f64::INFINITY, f64::min);
+            if hit <= length || length >= reach {
+                return hit.min(reach);
+            }
+        }
+    }
+
+    /// The ray's parameter at a triangle. A guess in floats.
+    fn hit(&self, f: u32, direction: &[f64; 3]) -> Option<f64> {
+        let [a, b, c] = self.against.mesh.faces[f as usize].map(|v| self.against.mesh.vertices[v as usize]);
+        let minus = |p: &[f64; 3], q: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| p[i] - q[i]) };
+        let (e1, e2) = (minus(&b, &a), minus(&c, &a));
+        let p = float_cross(direction, &e2);
+        let volume = float_dot(&e1, &p);
+        let s = minus(&self.from, &a);
+        let q = float_cross(&s, &e1);
+        let (u, v, t) =
+            (float_dot(&s, &p) / volume, float_dot(direction, &q) / volume, float_dot(&e2, &q) / volume);
+        (u >= -1e-9 && v >= -1e-9 && u + v <= 1.0 + 1e-9 && t > 0.0).then_some(t)
+    }
 }
 
 /// How shrinking ended.
@@ -96,19 +139,23 @@ pub(crate) enum Shrunk {
 /// a tet in the wrong direction (C1 and the extra conditions of C3+).
 pub(crate) fn shrink(
     draft: &mut Draft,
-    mesh: &TriMesh,
-    connectivity: &Connectivity,
+    against: &Against<'_>,
+    no_overlap: bool,
     observer: &dyn Observer,
 ) -> Result<Shrunk, BuildError> {
+    let (mesh, connectivity) = (against.mesh, against.connectivity);
     let boundary = Boundary::new(connectivity);
     let view = MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity, boundary: &boundary };
-    let least = [&draft.down, &draft.up].map(|t| t.iter().map(|x| x * LEAST).collect::<Vec<f64>>());
+    let mut patience = Patience::new(draft);
     for round in 0.. {
-        let (mut wrong, reason) = wrong(draft, &view, observer)?;
+        let (mut wrong, mut reason) = wrong(draft, against, &view, observer)?;
+        if no_overlap && wrong.is_empty() {
+            (wrong, reason) = (overlap::slabs(&draft.shell(), observer)?, "the prism overlaps another one");
+        }
         wrong.sort_unstable();
         wrong.dedup();
         let Some(&(first, _)) = wrong.first() else { return Ok(Shrunk::Fits(round)) };
-        let stuck = reduce(draft, &wrong, &least);
+        let stuck = reduce(draft, mesh, (&wrong, reason), &mut patience);
         if !stuck.is_empty() {
             let over = |v: u32| wrong.iter().map(|w| w.0).find(|&p| draft.faces[p as usize].contains(&v));
             let places =
@@ -123,43 +170,110 @@ pub(crate) fn shrink(
 type Wrong = (Vec<(u32, Slab)>, &'static str);
 
 /// The slabs that break a condition, the cheapest condition first, and which one it is.
-fn wrong(draft: &Draft, view: &MeshView<'_>, observer: &dyn Observer) -> Result<Wrong, BuildError> {
+fn wrong(
+    draft: &Draft,
+    against: &Against<'_>,
+    view: &MeshView<'_>,
+    observer: &dyn Observer,
+) -> Result<Wrong, BuildError> {
+    let counts = |f: u32, prism: u32| against.counts(f, &[draft.origin[prism as usize]]);
     let shell = draft.shell();
     let slab = |names: &[Name]| {
         if names.iter().any(|n| n.layer == Layer::Top) { Slab::Top } else { Slab::Bottom }
     };
     let bad = positivity::decide(&shell, observer)?.bad;
     if !bad.is_empty() {
-        return Ok((bad.iter().map(|b| (b.prism, slab(&b.names))).collect(), "the prism is not positive"));
+        return Ok((bad.iter().map(|b| (b.prism, slab(&b.names))).collect(), NOT_POSITIVE));
     }
     let mut wrong = Vec::new();
     for (about, slab) in [(About::Bottom, Slab::Bottom), (About::Top, Slab::Top)] {
         let found = disjoint::decide(view, &shell, about, observer)?;
-        wrong.extend(found.crossings.iter().map(|c| (c.second, slab)));
+        wrong.extend(found.crossings.iter().filter(|c| counts(c.first, c.second)).map(|c| (c.second, slab)));
     }
     if !wrong.is_empty() {
         return Ok((wrong, "the mesh meets bottom or top"));
     }
     let found = i2::decide(view, &shell, observer)?;
-    let wrong = found.contacts.iter().map(|c| (c.prism, slab(&c.names))).collect();
+    let found = found.contacts.iter().filter(|c| counts(c.face, c.prism));
+    let wrong = found.map(|c| (c.prism, slab(&c.names))).collect();
     Ok((wrong, "a triangle touches the prism in the wrong direction"))
 }
 
-/// Shrinks the corners of each prism in the slab, each vertex once; the vertices that fall below the least thickness.
-fn reduce(draft: &mut Draft, wrong: &[(u32, Slab)], least: &[Vec<f64>; 2]) -> Vec<u32> {
+/// How far shrinking may go.
+struct Patience {
+    /// The least thickness that is tried, by vertex.
+    least: Vec<f64>,
+    /// How often each vertex was shrunk, by slab.
+    times: [Vec<u32>; 2],
+}
+
+impl Patience {
+    fn new(draft: &Draft) -> Self {
+        let n = draft.middle.len();
+        let mut least = vec![f64::INFINITY; n];
+        for face in &draft.faces {
+            for [u, w] in [[0, 1], [1, 2], [2, 0]].map(|[i, j]| [face[i] as usize, face[j] as usize]) {
+                let d: [f64; 3] = std::array::from_fn(|i| draft.middle[u][i] - draft.middle[w][i]);
+                let length = float_dot(&d, &d).sqrt();
+                least[u] = least[u].min(LEAST * length);
+                least[w] = least[w].min(LEAST * length);
+            }
+        }
+        // Below the spacing of doubles there are no other points.
+        for (least, m) in least.iter_mut().zip(&draft.middle) {
+            *least = least.max(m.iter().fold(0.0, |s, x| x.abs().max(s)) * f64::EPSILON);
+        }
+        Self { least, times: [vec![0; n], vec![0; n]] }
+    }
+}
+
+/// The corners of a prism that are to blame: those of half the largest thickness or more. A thin corner beside a thick
+/// one gains nothing by becoming thinner. For a prism that is not positive it is the height over the triangle that
+/// counts: a long pillar that leans is low.
+fn to_blame(
+    draft: &Draft,
+    mesh: &TriMesh,
+    (prism, slab): (u32, Slab),
+    by_height: bool,
+) -> impl Iterator<Item = (u32, Slab)> {
+    let origin = mesh.faces[draft.origin[prism as usize] as usize];
+    let normal = float_normal(origin.map(|v| &mesh.vertices[v as usize]));
+    let size = |v: u32| {
+        let k = v as usize;
+        let thickness = if slab == Slab::Bottom { draft.down[k] } else { draft.up[k] };
+        let share = if by_height { float_dot(&draft.direction[k], &normal) } else { 1.0 };
+        if draft.pinched[k] { 0.0 } else { thickness * share }
+    };
+    let face = draft.faces[prism as usize];
+    let most = face.map(size).into_iter().fold(0.0, f64::max);
+    let large = face.map(|v| (v, size(v) >= 0.5 * most));
+    large.into_iter().filter(|(_, large)| *large).map(move |(v, _)| (v, slab))
+}
+
+/// Shrinks the thick corners of each prism in the slab, each vertex once; the vertices that fall below the least
+/// thickness.
+fn reduce(
+    draft: &mut Draft,
+    mesh: &TriMesh,
+    (wrong, reason): (&[(u32, Slab)], &str),
+    patience: &mut Patience,
+) -> Vec<u32> {
+    let by_height = reason == NOT_POSITIVE;
     let mut corners: Vec<(u32, Slab)> =
-        wrong.iter().flat_map(|&(p, slab)| draft.faces[p as usize].map(|v| (v, slab))).collect();
+        wrong.iter().flat_map(|&w| to_blame(draft, mesh, w, by_height)).collect();
     corners.sort_unstable();
     corners.dedup();
     let mut stuck = Vec::new();
     for (v, slab) in corners.into_iter().filter(|(v, _)| !draft.pinched[*v as usize]) {
         let k = v as usize;
-        let (thickness, least) = match slab {
-            Slab::Bottom => (&mut draft.down[k], least[0][k]),
-            Slab::Top => (&mut draft.up[k], least[1][k]),
+        let (thickness, times) = match slab {
+            Slab::Bottom => (&mut draft.down[k], &mut patience.times[0][k]),
+            Slab::Top => (&mut draft.up[k], &mut patience.times[1][k]),
         };
-        *thickness *= SHRINK;
-        if *thickness < least {
+        let share = SHRINK.iter().find(|(until, _)| *times < *until).map_or(0.25, |(_, share)| *share);
+        *times = times.saturating_add(1);
+        *thickness *= share;
+        if *thickness < patience.least[k] {
             stuck.push(v);
         }
     }

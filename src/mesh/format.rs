@@ -276,6 +276,6 @@ fn unpack(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
 }
 
 /// Without a UTF-8 byte order mark.
-fn strip_bom(bytes: &[u8]) -> &[u8] {
+pub(super) fn strip_bom(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }

@@ -9,6 +9,7 @@
 //! an oriented manifold without flat triangles is the question of [`validate`] and [`check`].
 
 mod area;
+mod columns;
 mod complex;
 pub mod connectivity;
 mod correspondence;
@@ -18,6 +19,7 @@ mod gifti;
 mod gmsh;
 mod medit;
 mod obj;
+mod obj_texture;
 mod off;
 mod ovm;
 mod parts;
@@ -35,6 +37,7 @@ mod write;
 mod tests;
 
 pub use area::is_zero_area;
+pub use columns::{Column, ColumnKind, Domain, columns};
 pub use complex::{Cells, Complex, ComplexFile, Positions, Space, TetMesh};
 pub use connectivity::Connectivity;
 pub use correspondence::{Place as SurfacePoint, read_correspondence};

@@ -108,7 +108,7 @@ impl Texture {
 
 /// The next line, joined with those after it while it ends in a backslash. A comment is not
 /// continued: a path that ends in a backslash must not swallow the statement below.
-fn next_logical<'a>(lines: &mut Lines<'a>) -> Option<(usize, Cow<'a, [u8]>)> {
+pub(super) fn next_logical<'a>(lines: &mut Lines<'a>) -> Option<(usize, Cow<'a, [u8]>)> {
     let (number, line) = lines.next()?;
     let continued = |l: &[u8]| l.trim_ascii_end().last() == Some(&b'\\');
     if !continued(line) || line.contains(&b'#') {

@@ -85,7 +85,12 @@ impl<'s> Projection<'s> {
         }
     }
 
-    pub(super) fn points(&self, tet: &Tet) -> [&'s [f64; 3]; 4] {
+    /// The tets whose closed boxes meet a closed box, ascending.
+    pub(crate) fn tets_near(&self, bounds: [[f64; 3]; 2]) -> Vec<u32> {
+        self.tree.meeting(bounds)
+    }
+
+    pub(crate) fn points(&self, tet: &Tet) -> [&'s [f64; 3]; 4] {
         tet.names.map(|n| self.shell.position(n))
     }
 

@@ -34,7 +34,7 @@
 //! | the line through the shell over a middle point | [`Projection::fibre`] |
 //! | mesh point to middle surface (`P_T`) | [`SectionMap::to_middle`] |
 //! | middle surface to mesh point (`P_T^-1`) | [`SectionMap::to_mesh`] |
-//! | mesh `A` to mesh `B` in one shell | `to_middle` of `A`, then `to_mesh` of `B` |
+//! | mesh `A` to mesh `B` in one shell | [`Transfer`](crate::transfer::Transfer), much faster than `to_middle`, then `to_mesh` |
 //!
 //! The examples `project_points` and `transfer` are complete programs.
 //!
@@ -66,7 +66,8 @@
 //! exact: no tolerance, no rounding. Measured on one core for real shells: location of an `f64` point
 //! and its floating image take 2 microseconds inside a tet and up to 40 at a vertex of many tets
 //! (filtered predicates; [`FloatPoint`] states its error bound, at most [`MAX_ERROR`]); an exact image
-//! 40 to 150, its inverse 5 to 35, [`SectionMap::to_mesh`] 300 to 500 microseconds.
+//! 40 to 150, its inverse 5 to 35, [`SectionMap::to_mesh`] 300 to 500 microseconds. From mesh to mesh
+//! [`Transfer`](crate::transfer::Transfer) takes 2 to 7 microseconds exactly.
 //! [`Projection::trace`] computes the same middle points by following the field tet by tet: it is the
 //! oracle that the tests compare with, 7 to 30 times slower.
 
@@ -89,3 +90,6 @@ pub use inverse::FibrePiece;
 pub use locate::{Location, Projection};
 pub use point::ShellPoint;
 pub use section::{MeshPoint, SectionMap};
+
+pub(crate) use point::{Stars, barycentric};
+pub(crate) use section::well_formed;

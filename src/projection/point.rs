@@ -57,20 +57,20 @@ impl fmt::Display for ShellPoint {
 }
 
 /// Are the numbers barycentric coordinates: none negative, sum one?
-pub(super) fn barycentric(weights: &[Rat; 3]) -> bool {
+pub(crate) fn barycentric(weights: &[Rat; 3]) -> bool {
     !weights.iter().any(Signed::is_negative) && weights.iter().fold(Rat::ZERO, |s, w| s + w) == Rat::ONE
 }
 
 /// Lists of triangles around every vertex.
 #[derive(Debug)]
-pub(super) struct Stars {
+pub(crate) struct Stars {
     starts: Vec<u32>,
     faces: Vec<u32>,
 }
 
 impl Stars {
     /// Linear. The corners must be less than `vertices`.
-    pub(super) fn new(vertices: usize, faces: &[[u32; 3]]) -> Self {
+    pub(crate) fn new(vertices: usize, faces: &[[u32; 3]]) -> Self {
         let mut starts = vec![0_u32; vertices + 1];
         for &v in faces.as_flattened() {
             starts[v as usize + 1] += 1;
@@ -95,7 +95,7 @@ impl Stars {
     }
 
     /// The smallest triangle with all the corners of `face` that are marked; `face` for none.
-    pub(super) fn smallest(&self, faces: &[[u32; 3]], face: u32, marked: [bool; 3]) -> u32 {
+    pub(crate) fn smallest(&self, faces: &[[u32; 3]], face: u32, marked: [bool; 3]) -> u32 {
         let corners = faces[face as usize];
         let mut support = (0..3).filter(|&k| marked[k]).map(|k| corners[k]);
         let Some(first) = support.next() else { return face };

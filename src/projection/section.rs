@@ -30,24 +30,30 @@ pub struct SectionMap<'a> {
     stars: Stars,
 }
 
+/// Finite coordinates, corners in range, and few enough triangles to number their corners.
+pub(crate) fn well_formed(mesh: &TriMesh) -> Result<(), SectionError> {
+    let vertices = mesh.vertices.len();
+    if let Some(v) = mesh.vertices.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+        return Err(SectionError::Mesh(format!("vertex {v} is not finite")));
+    }
+    if let Some(f) = mesh.faces.iter().position(|f| f.iter().any(|&v| v as usize >= vertices)) {
+        return Err(SectionError::Mesh(format!("triangle {f} has a corner out of range")));
+    }
+    if u32::try_from(mesh.faces.len()).ok().and_then(|n| n.checked_mul(3)).is_none() {
+        return Err(SectionError::Mesh("too many triangles".to_owned()));
+    }
+    Ok(())
+}
+
 impl<'a> SectionMap<'a> {
     /// Builds the search structure; `O(n log n)`.
     ///
     /// # Errors
     /// [`SectionError::Mesh`]: a coordinate is not finite, or a corner is out of range.
     pub fn new(projection: &'a Projection<'a>, mesh: &'a TriMesh) -> Result<Self, SectionError> {
-        let vertices = mesh.vertices.len();
-        if let Some(v) = mesh.vertices.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
-            return Err(SectionError::Mesh(format!("vertex {v} is not finite")));
-        }
-        if let Some(f) = mesh.faces.iter().position(|f| f.iter().any(|&v| v as usize >= vertices)) {
-            return Err(SectionError::Mesh(format!("triangle {f} has a corner out of range")));
-        }
-        if u32::try_from(mesh.faces.len()).ok().and_then(|n| n.checked_mul(3)).is_none() {
-            return Err(SectionError::Mesh("too many triangles".to_owned()));
-        }
+        well_formed(mesh)?;
         let tree = BoxTree::new(mesh.faces.iter().map(|f| f.map(|v| &mesh.vertices[v as usize])));
-        Ok(Self { projection, mesh, tree, stars: Stars::new(vertices, &mesh.faces) })
+        Ok(Self { projection, mesh, tree, stars: Stars::new(mesh.vertices.len(), &mesh.faces) })
     }
 
     fn triangle(&self, face: u32) -> [&'a [f64; 3]; 3] {

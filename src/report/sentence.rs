@@ -126,6 +126,13 @@ fn certified(result: &ClaimResult, s: &Sources) -> String {
                  that meet)."
             )
         }
+        Claim::DisjointPrisms => {
+            let triangles = count(result, "skin_triangles");
+            format!(
+                "{shell} does not overlap itself: in the vertex order {order} its tets share nothing but common faces \
+                 ({triangles} triangles on its outside)."
+            )
+        }
         Claim::I2 => {
             let hull = if count(result, "hull_condition_holds") == 1 { "holds" } else { "does not hold" };
             format!(
@@ -160,6 +167,11 @@ fn refuted(result: &ClaimResult, s: &Sources) -> String {
                 about => format!("the {about} of {that_shell} ({} pairs of triangles)", p.crossings),
             });
             format!("{mesh} meets {}.", crossed.collect::<Vec<_>>().join(" and "))
+        }
+        Claim::DisjointPrisms => {
+            format!(
+                "{shell} overlaps itself: in the vertex order {order} two of its tets share more than a face."
+            )
         }
         Claim::I2 => match result.refutations.first().map(|r| r.kind) {
             Some("contact") => format!(

@@ -4,8 +4,10 @@
 // Helpers of tests may panic; clippy knows that only inside `#[test]` functions.
 #![allow(clippy::unwrap_used)]
 
+mod prisms;
+
 use homeo::certify::{Claim, Options, Silent, VertexOrder};
-use homeo::construct::InitialOptions;
+use homeo::construct::{InitialOptions, Thickness};
 use homeo::mesh::TriMesh;
 use homeo::shell::Shell;
 
@@ -148,6 +150,7 @@ pub(crate) fn cases() -> Vec<Case> {
     let mut out = certified();
     out.extend(refuted_lifts());
     out.extend(refuted_shells());
+    out.extend(prisms::cases());
     out
 }
 
@@ -197,7 +200,12 @@ fn beveled_box() -> Case {
     let sides = [[0u32, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let f: Vec<[u32; 3]> = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
     let cube = mesh(&v, &f);
-    let built = homeo::construct::initial(&cube, &InitialOptions { thickness: 0.25 }, &Silent).unwrap();
+    let built = homeo::construct::initial(
+        &cube,
+        &InitialOptions { thickness: Thickness::Share(0.25), ..InitialOptions::default() },
+        &Silent,
+    )
+    .unwrap();
     case("box", built.shell, cube, &[], &["contact-sep ", "sep "])
 }
 
@@ -316,5 +324,5 @@ fn refuted_shells() -> Vec<Case> {
     ]
 }
 
-const BAD_TET: &[Claim] = &Claim::ALL;
+const BAD_TET: &[Claim] = &Claim::STANDARD;
 const BAD_UNUSED: &[Claim] = &[Claim::Positivity, Claim::SectionAllOrders, Claim::I2];

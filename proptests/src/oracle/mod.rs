@@ -3,6 +3,7 @@
 
 pub mod exact;
 pub mod lift;
+pub mod overlap;
 pub mod pairs;
 pub mod tets;
 

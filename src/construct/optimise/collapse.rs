@@ -4,8 +4,7 @@ use super::cast;
 use super::energy::mips;
 use super::invariants::Judge;
 use super::limits::{Limits, distance};
-use super::prism::{Pillar, Prism};
-use super::smooth::{direction, with_lengths};
+use super::prism::{Pillar, Prism, direction, with_lengths};
 use super::state::{Change, State};
 
 /// Which new pillars a collapse tries, besides the two old ones.
@@ -19,11 +18,6 @@ pub(crate) struct Effort {
 }
 
 impl Effort {
-    /// More than plain?
-    pub(crate) fn is_hard(self) -> bool {
-        self.shares.len() > Self::PLAIN.shares.len()
-    }
-
     /// Enough while there is much to collapse.
     pub(crate) const PLAIN: Self = Self { shares: &[1.0, 0.25], places: &[0.25, 0.5, 0.75] };
     /// For the last few.
@@ -31,23 +25,17 @@ impl Effort {
         Self { shares: &[1.0, 0.5, 0.2, 0.08], places: &[0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9] };
 }
 
-/// A collapse that the rules allow.
-struct Proposal {
-    /// The largest energy of its middle triangles.
-    energy: f64,
-    /// The vertex that stays.
-    stays: u32,
-    change: Change,
-}
+/// A collapse that the rules allow, and the largest energy of its middle triangles.
+type Rated = (f64, Change);
 
-/// Collapses the edge if some new pillar keeps all invariants and rules. Returns the vertex that stays.
-pub(crate) fn collapse(
-    state: &mut State,
+/// The collapse of an edge, if some new pillar keeps all invariants and rules.
+pub(crate) fn propose(
+    state: &State,
     judge: &Judge<'_>,
     limits: &Limits,
     effort: Effort,
     [u, w]: [u32; 2],
-) -> Option<u32> {
+) -> Option<Change> {
     if !topology_allows(state, u, w) {
         return None;
     }
@@ -59,31 +47,24 @@ pub(crate) fn collapse(
     };
     for &share in effort.shares {
         let mut options = proposals(state, limits, [u, w], &between, share);
-        options.sort_by(|a, b| a.energy.total_cmp(&b.energy));
-        if let Some(chosen) = options.into_iter().find(|o| judge.admits(state, &o.change)) {
-            state.apply(&chosen.change);
-            return Some(chosen.stays);
+        options.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((_, chosen)) = options.into_iter().find(|(_, change)| judge.admits(state, change)) {
+            return Some(chosen);
         }
     }
     None
 }
 
 /// The collapses onto pillars between and onto both ends, with halves of a share of their length.
-fn proposals(
-    state: &State,
-    limits: &Limits,
-    [u, w]: [u32; 2],
-    between: &[Pillar],
-    share: f64,
-) -> Vec<Proposal> {
+fn proposals(state: &State, limits: &Limits, [u, w]: [u32; 2], between: &[Pillar], share: f64) -> Vec<Rated> {
     let whole = share >= 1.0;
-    let mut changes: Vec<(u32, Change)> = Vec::with_capacity(3);
-    changes.extend(between.iter().map(|p| (w, onto(state, u, w, Some(p.scaled(share))))));
+    let mut changes: Vec<Change> = Vec::with_capacity(between.len() + 2);
+    changes.extend(between.iter().map(|p| onto(state, u, w, Some(p.scaled(share)))));
     for (from, to) in [(u, w), (w, u)] {
         // A pillar that keeps its length keeps its rounded points, too.
         let pillar = (!whole).then(|| state.pillars[to as usize].scaled(share));
         if !state.is_frozen(from) && (whole || !state.is_frozen(to)) {
-            changes.push((to, onto(state, from, to, pillar)));
+            changes.push(onto(state, from, to, pillar));
         }
     }
     let sound = |change: &Change| {
@@ -91,10 +72,8 @@ fn proposals(
     };
     changes
         .into_iter()
-        .filter(|(_, change)| sound(change))
-        .filter_map(|(stays, change)| {
-            Some(Proposal { energy: admissible_energy(state, limits, &change)?, stays, change })
-        })
+        .filter(sound)
+        .filter_map(|change| Some((admissible_energy(state, limits, &change)?, change)))
         .collect()
 }
 

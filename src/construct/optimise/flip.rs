@@ -7,24 +7,17 @@ use super::state::{Change, State};
 /// The valences that a flip may leave: at least, at most.
 const VALENCE: [usize; 2] = [4, 9];
 
-/// Flips the edge if this lowers the largest energy of its two triangles, and all invariants and rules keep.
-pub(crate) fn flip(state: &mut State, judge: &Judge<'_>, [u, w]: [u32; 2]) -> bool {
-    let Some(change) = proposal(state, u, w) else { return false };
-    let energy = |faces: [[u32; 3]; 2]| {
-        faces.map(|f| mips(state.prism(f, None).middle())).into_iter().fold(0.0, f64::max)
-    };
-    let [new, other] = change.add[..] else { return false };
-    let before = change.remove.iter().map(|&f| state.faces[f as usize]).collect::<Vec<_>>();
-    let [old, second] = before[..] else { return false };
-    if energy([new, other]) >= energy([old, second]) || !judge.admits(state, &change) {
-        return false;
-    }
-    state.apply(&change);
-    true
+/// The flip of an edge, if it lowers the largest energy of its two triangles, and all invariants and rules keep.
+pub(crate) fn propose(state: &State, judge: &Judge<'_>, [u, w]: [u32; 2]) -> Option<Change> {
+    let change = flipped(state, u, w)?;
+    let worst =
+        |faces: &[[u32; 3]]| faces.iter().map(|f| mips(state.prism(*f, None).middle())).fold(0.0, f64::max);
+    let old: Vec<[u32; 3]> = change.remove.iter().map(|&f| state.faces[f as usize]).collect();
+    (worst(&change.add) < worst(&old) && judge.admits(state, &change)).then_some(change)
 }
 
 /// The flipped faces, where the complex allows a flip.
-fn proposal(state: &State, u: u32, w: u32) -> Option<Change> {
+fn flipped(state: &State, u: u32, w: u32) -> Option<Change> {
     let shared = state.edge(u, w);
     let [f, g] = shared[..] else { return None };
     // The face in which the edge runs from u to w, and the other one.

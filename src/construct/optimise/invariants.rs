@@ -5,36 +5,40 @@
 //! condition is stricter). Contacts at a pinched vertex alone are excepted. With the manifold conditions that the
 //! operations check, the mesh stays a section in all vertex orders.
 
+use std::borrow::Cow;
+
+use super::partner::Partner;
 use super::prism::Prism;
 use super::state::{Change, State};
 use super::tree::{Box3, Tree};
 use crate::construct::direction::{float_dot, float_normal, unit};
 use crate::mesh::TriMesh;
-use crate::predicate::{Meeting, dot_sign, point_in_triangle, triangle_tet, triangle_triangle};
+use crate::predicate::{Meeting, dot_sign, orient3d, point_in_triangle, triangle_tet, triangle_triangle};
 use crate::shell::Slab;
 
 /// Judges prisms against a mesh.
 #[derive(Debug)]
 pub(crate) struct Judge<'a> {
-    pub(crate) mesh: &'a TriMesh,
+    pub(crate) mesh: Cow<'a, TriMesh>,
     pub(crate) tree: Tree,
-    normals: Vec<[f64; 3]>,
+    pub(crate) normals: Vec<[f64; 3]>,
     /// The distortion bound: least cosine between a triangle's normal and the pillars of the tets that it touches.
     least_cosine: f64,
-    /// Another mesh that is to become a section, too.
-    pub(crate) partner: Option<Box<Judge<'a>>>,
+    /// Of a joint shell: the other mesh.
+    pub(crate) partner: Option<Box<Partner<'a>>>,
 }
 
 /// What a prism is compared by.
-struct View<'p> {
-    prism: &'p Prism,
-    outside: [Box3; 2],
+pub(crate) struct View<'p> {
+    pub(crate) prism: &'p Prism,
+    pub(crate) outside: [Box3; 2],
+    slabs: [Box3; 2],
     /// Unit vectors of the six halves, by slab and corner, for the distortion bound.
-    halves: [[[f64; 3]; 3]; 2],
+    pub(crate) halves: [[[f64; 3]; 3]; 2],
 }
 
 impl<'p> View<'p> {
-    fn new(prism: &'p Prism) -> Self {
+    pub(crate) fn new(prism: &'p Prism) -> Self {
         let half = |slab: Slab| {
             [0, 1, 2].map(|k| {
                 let [lo, hi] = prism.pillars[k].half(slab);
@@ -44,6 +48,7 @@ impl<'p> View<'p> {
         Self {
             prism,
             outside: Slab::BOTH.map(|slab| Box3::of(prism.outside(slab))),
+            slabs: Slab::BOTH.map(|slab| Box3::of(prism.outside(slab).into_iter().chain(prism.middle()))),
             halves: Slab::BOTH.map(half),
         }
     }
@@ -51,103 +56,81 @@ impl<'p> View<'p> {
 
 impl<'a> Judge<'a> {
     /// O(n log n) for n mesh triangles.
-    pub(crate) fn new(mesh: &'a TriMesh, least_cosine: f64) -> Self {
+    pub(crate) fn new(mesh: Cow<'a, TriMesh>, least_cosine: f64) -> Self {
         let normals =
             mesh.faces.iter().map(|f| float_normal(f.map(|v| &mesh.vertices[v as usize]))).collect();
-        Self { mesh, tree: Tree::new(mesh), normals, least_cosine, partner: None }
+        Self { tree: Tree::new(&mesh), mesh, normals, least_cosine, partner: None }
     }
 
     /// The corners of a mesh triangle.
-    pub(crate) fn corners(&self, f: u32) -> [&'a [f64; 3]; 3] {
+    pub(crate) fn corners(&self, f: u32) -> [&[f64; 3]; 3] {
         self.mesh.faces[f as usize].map(|v| &self.mesh.vertices[v as usize])
     }
 
     /// Do all invariants hold after the change, and the distortion bound, or is the distortion at least no worse than
-    /// before?
+    /// before? Where the state has a skin, does that stay free of self-intersection?
     pub(crate) fn admits(&self, state: &State, change: &Change) -> bool {
-        let after = state.prisms(change);
-        self.joint(state, change, &after)
-            && after.iter().all(Prism::is_positive)
-            && self.worst_cosine(&after).is_some_and(|cosine| {
+        let tracked = state.candidates(change);
+        self.prefers(&state.prisms(change), tracked.as_deref(), || state.prisms_before(change))
+            && state.skin.as_ref().is_none_or(|skin| skin.admits(state, change))
+    }
+
+    /// Do all invariants hold of the prisms `after`, and the distortion bound, or is it at least no worse than in
+    /// those before? Nor may a partner be violated more. Judged against the tracked triangles, or against all.
+    pub(crate) fn prefers(
+        &self,
+        after: &[Prism],
+        tracked: Option<&[u32]>,
+        before: impl Fn() -> Vec<Prism>,
+    ) -> bool {
+        self.keeps_prisms(after, tracked, &before)
+            && self.partner.as_ref().is_none_or(|p| p.prefers(after, before))
+    }
+
+    /// As [`Self::admits`], whatever the partner.
+    pub(crate) fn keeps(&self, state: &State, change: &Change) -> bool {
+        let tracked = state.candidates(change);
+        self.keeps_prisms(&state.prisms(change), tracked.as_deref(), || state.prisms_before(change))
+            && state.skin.as_ref().is_none_or(|skin| skin.admits(state, change))
+    }
+
+    fn keeps_prisms(
+        &self,
+        after: &[Prism],
+        tracked: Option<&[u32]>,
+        before: impl FnOnce() -> Vec<Prism>,
+    ) -> bool {
+        after.iter().all(Prism::is_positive)
+            && self.worst_cosine(after, tracked).is_some_and(|cosine| {
                 cosine >= self.least_cosine
-                    || self.worst_cosine(&state.prisms_before(change)).is_some_and(|before| cosine >= before)
+                    || self.worst_cosine(&before(), tracked).is_some_and(|before| cosine >= before)
             })
     }
 
-    fn joint(&self, state: &State, change: &Change, after: &[Prism]) -> bool {
-        let Some(partner) = &self.partner else { return true };
-        let now = partner.violation(after);
-        now <= 0.0 || now <= partner.violation(&state.prisms_before(change))
+    /// Do the invariants hold of a prism?
+    pub(crate) fn holds(&self, prism: &Prism) -> bool {
+        prism.is_positive() && self.worst_cosine(std::slice::from_ref(prism), None).is_some()
     }
 
-    /// How far the prisms are from holding this mesh as a section.
-    pub(crate) fn violation(&self, prisms: &[Prism]) -> f64 {
-        prisms.iter().map(|p| self.violation_of(p)).sum()
-    }
-
-    pub(crate) fn violation_of(&self, prism: &Prism) -> f64 {
-        let view = View::new(prism);
-        let mut sum = 0.0;
-        for pillar in prism.pillars {
-            let n = super::cast::count(self, &pillar.bottom, &pillar.top);
-            sum += f64::from((n - 1).abs());
-        }
-        self.tree.all(&Box3::of(prism.points()), |f| {
-            let triangle = self.corners(f);
-            let bounds = Box3::of(triangle);
-            for (s, slab) in Slab::BOTH.into_iter().enumerate() {
-                let facing = self.facing(&view, slab, f, triangle);
-                if facing.iter().any(|c| *c == f64::NEG_INFINITY) {
-                    for (corner, tet) in view.prism.tets(slab) {
-                        if facing[corner] == f64::NEG_INFINITY && bounds.meets(&Box3::of(tet)) {
-                            let met = triangle_tet(triangle, tet);
-                            if met.meets() && !(met == Meeting::Point && at_pinch(view.prism, triangle)) {
-                                let cos = float_dot(&self.normals[f as usize], &view.halves[s][corner]);
-                                sum += 0.1 + (-cos).max(0.0);
-                            }
-                        }
-                    }
-                }
-                if bounds.meets(&view.outside[s]) {
-                    let met = triangle_triangle(triangle, view.prism.outside(slab));
-                    if met.meets() && !(met == Meeting::Point && at_pinch(view.prism, triangle)) {
-                        sum += 1.0;
-                    }
-                }
-            }
-            true
-        });
-        sum
-    }
-
-    /// Normals of triangles near the prisms.
-    pub(crate) fn normals_near(&self, prisms: &[Prism]) -> Vec<[f64; 3]> {
-        let mut out: Vec<u32> = Vec::new();
-        for p in prisms {
-            self.tree.all(&Box3::of(p.points()), |f| {
-                let t = self.corners(f);
-                if [Slab::Bottom, Slab::Top].into_iter().any(|s| p.tets(s).any(|(_, tet)| Box3::of(t).meets(&Box3::of(tet)) && triangle_tet(t, tet).meets())) {
-                    out.push(f);
-                }
-                true
-            });
-        }
-        out.sort_unstable();
-        out.dedup();
-        out.into_iter().map(|f| self.normals[f as usize]).collect()
-    }
-
-    /// The smallest cosine that the distortion bound is about, or the bound where all are larger; `None` where an
-    /// invariant about the mesh is broken.
-    fn worst_cosine(&self, prisms: &[Prism]) -> Option<f64> {
+    /// Of positive prisms: the smallest cosine that the distortion bound is about, or the bound where all are larger;
+    /// `None` where an invariant about the mesh is broken.
+    fn worst_cosine(&self, prisms: &[Prism], tracked: Option<&[u32]>) -> Option<f64> {
         let mut worst = self.least_cosine;
         let fits = prisms.iter().all(|prism| {
             let view = View::new(prism);
-            self.tree.all(&Box3::of(prism.points()), |f| {
+            let bounds = Box3::of(prism.points());
+            let mut fits = |f: u32| {
                 let found = self.pair(&view, f);
                 worst = worst.min(found.unwrap_or(worst));
                 found.is_some()
-            })
+            };
+            match tracked {
+                None => self.tree.all(&bounds, fits),
+                Some(list) => {
+                    let near = |f: &u32| bounds.meets(&Box3::of(self.corners(*f)));
+                    list.iter().copied().filter(near).all(&mut fits)
+                }
+            }
         });
         fits.then_some(worst)
     }
@@ -157,14 +140,17 @@ impl<'a> Judge<'a> {
         let triangle = self.corners(f);
         let bounds = Box3::of(triangle);
         let mut worst = self.least_cosine;
-        for slab in Slab::BOTH {
+        for (s, slab) in Slab::BOTH.into_iter().enumerate() {
+            if !bounds.meets(&view.slabs[s]) {
+                continue;
+            }
             let facing = self.facing(view, slab, f, triangle);
             if facing.iter().all(|cosine| *cosine >= self.least_cosine) {
                 continue;
             }
             for (corner, tet) in view.prism.tets(slab) {
                 let cosine = facing[corner];
-                if cosine < worst && bounds.meets(&Box3::of(tet)) {
+                if cosine < worst && bounds.meets(&Box3::of(tet)) && !is_beyond_a_face(triangle, tet) {
                     let met = triangle_tet(triangle, tet);
                     if met.meets() && !(met == Meeting::Point && at_pinch(view.prism, triangle)) {
                         if cosine == f64::NEG_INFINITY {
@@ -179,15 +165,39 @@ impl<'a> Judge<'a> {
             if !bounds.meets(&view.outside[s]) {
                 return true;
             }
-            let met = triangle_triangle(triangle, view.prism.outside(slab));
+            // The plane of the larger one first: it has most triangles on one side.
+            let met = triangle_triangle(view.prism.outside(slab), triangle);
             !met.meets() || (met == Meeting::Point && at_pinch(view.prism, triangle))
         });
         apart.then_some(worst)
     }
 
+    /// The unit normals of the mesh triangles in some prisms.
+    pub(crate) fn normals_in(&self, prisms: &[Prism]) -> Vec<[f64; 3]> {
+        let mut found: Vec<u32> = Vec::new();
+        for prism in prisms {
+            self.tree.all(&Box3::of(prism.points()), |f| {
+                let triangle = self.corners(f);
+                let bounds = Box3::of(triangle);
+                let touches = |slab| {
+                    prism
+                        .tets(slab)
+                        .any(|(_, tet)| bounds.meets(&Box3::of(tet)) && triangle_tet(triangle, tet).meets())
+                };
+                if Slab::BOTH.into_iter().any(touches) {
+                    found.push(f);
+                }
+                true
+            });
+        }
+        found.sort_unstable();
+        found.dedup();
+        found.into_iter().map(|f| self.normals[f as usize]).collect()
+    }
+
     /// The cosines between the triangle's normal and the pillar halves of a slab, in floats; minus infinity where the
     /// exact dot product is not positive, and plus infinity at a pinched corner.
-    fn facing(&self, view: &View<'_>, slab: Slab, f: u32, [a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
+    pub(crate) fn facing(&self, view: &View<'_>, slab: Slab, f: u32, [a, b, c]: [&[f64; 3]; 3]) -> [f64; 3] {
         let s = usize::from(slab == Slab::Top);
         [0, 1, 2].map(|k| {
             let [lo, hi] = view.prism.pillars[k].half(slab);
@@ -203,7 +213,16 @@ impl<'a> Judge<'a> {
     }
 }
 
+/// Is the triangle strictly beyond the plane of a face of the tet, which is positive? Then they do not meet: this
+/// answers most pairs with fewer signs than [`triangle_tet`].
+fn is_beyond_a_face(triangle: [&[f64; 3]; 3], [a, b, c, d]: [&[f64; 3]; 4]) -> bool {
+    // Even permutations of the tet: the fourth corner is on the positive side of each face.
+    [[a, b, c], [a, d, b], [a, c, d], [b, d, c]]
+        .into_iter()
+        .any(|[p, q, r]| triangle.into_iter().all(|x| orient3d(p, q, r, x).is_negative()))
+}
+
 /// Given that a triangle meets a part of the prism that has all its pinched corners in one point: is it that corner?
-fn at_pinch(prism: &Prism, triangle: [&[f64; 3]; 3]) -> bool {
+pub(crate) fn at_pinch(prism: &Prism, triangle: [&[f64; 3]; 3]) -> bool {
     (0..3).any(|k| prism.pinched[k] && point_in_triangle(&prism.pillars[k].middle, triangle).is_some())
 }

@@ -1,11 +1,15 @@
 //! One prism as nine points: what operations propose and the invariants judge.
 
+use serde::{Deserialize, Serialize};
+
+use super::limits::minus;
+use crate::construct::direction::unit;
 use crate::predicate::{orient3d, same_point};
 use crate::shell::Slab;
 use crate::shell::decomposition::TETS;
 
 /// The three points of a vertex.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Pillar {
     pub(crate) bottom: [f64; 3],
     pub(crate) middle: [f64; 3],
@@ -36,6 +40,20 @@ impl Pillar {
     /// Are all coordinates numbers?
     pub(crate) fn is_finite(&self) -> bool {
         [self.bottom, self.middle, self.top].iter().flatten().all(|x| x.is_finite())
+    }
+}
+
+/// The direction of a pillar, a unit vector.
+pub(crate) fn direction(pillar: &Pillar) -> [f64; 3] {
+    unit(minus(&pillar.top, &pillar.bottom))
+}
+
+/// The straight pillar, up to rounding, at a middle with a direction and lengths.
+pub(crate) fn with_lengths(m: &[f64; 3], d: &[f64; 3], down: f64, up: f64) -> Pillar {
+    Pillar {
+        bottom: std::array::from_fn(|i| m[i] - down * d[i]),
+        middle: *m,
+        top: std::array::from_fn(|i| m[i] + up * d[i]),
     }
 }
 

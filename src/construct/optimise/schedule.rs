@@ -1,227 +1,244 @@
-//! The order of operations (*Shell* section 3.4, "Scheduling and Termination"), and when to stop.
+//! The order of operations (*Shell* section 3.4, "Scheduling and Termination"), as a machine that can be saved between
+//! any two batches.
 
-use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use std::time::{Duration, Instant};
 
-use rustc_hash::FxHashMap;
+use serde::{Deserialize, Serialize};
 
-use super::collapse::{Effort, collapse};
-use super::flip::flip;
-use super::invariants::Judge;
-use super::limits::{Limits, distance};
-use super::smooth::{pan, rotate, zoom};
-use super::repair::repair;
-use super::state::State;
-use crate::certify::Observer;
+use super::batch::{BATCH, Entry, Work, rank};
+use super::operation::{Key, Operation};
+use super::repair;
+use super::split;
 
 /// How often coarsening and polishing are repeated at most.
-const REPEATS: usize = 4;
+pub(crate) const REPEATS: u32 = 4;
 
-/// Asks now and then whether to go on.
-pub(crate) struct Stop<'a> {
-    observer: &'a dyn Observer,
-    until: Option<Instant>,
-    calls: u64,
-    stopped: bool,
-}
-
-impl<'a> Stop<'a> {
-    pub(crate) fn new(observer: &'a dyn Observer, limit: Option<Duration>) -> Self {
-        let until = limit.and_then(|l| Instant::now().checked_add(l));
-        Self { observer, until, calls: 0, stopped: false }
-    }
-
-    /// Stop before the next operation?
-    fn now(&mut self) -> bool {
-        if self.calls.is_multiple_of(16) && !self.stopped {
-            self.stopped = self.observer.cancelled() || self.until.is_some_and(|t| Instant::now() >= t);
-            self.observer.advance(16);
-        }
-        self.calls += 1;
-        self.stopped
-    }
-
-    pub(crate) fn stopped(&self) -> bool {
-        self.stopped
-    }
-}
+/// How often room is made for a partner that is still violated at the end.
+const RELIEFS: u32 = 12;
 
 /// How many operations were made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
     /// Edge collapses.
     pub collapses: u64,
     /// Edge flips.
     pub flips: u64,
+    /// Edge splits.
+    pub splits: u64,
     /// Pans, zooms and rotations.
     pub moves: u64,
     /// Rounds of the outer loop.
     pub rounds: u64,
 }
 
-/// Everything that the schedule works with.
-pub(crate) struct Work<'a> {
-    pub(crate) state: State,
-    pub(crate) judge: Judge<'a>,
-    pub(crate) limits: Limits,
-    pub(crate) counts: Counts,
-    pub(crate) tried: Tried,
+impl Counts {
+    pub(crate) fn add(&mut self, operation: Operation, made: u64) {
+        let count = match operation {
+            Operation::Collapse | Operation::HardCollapse => &mut self.collapses,
+            Operation::Flip => &mut self.flips,
+            Operation::Split | Operation::Relief => &mut self.splits,
+            Operation::Smooth | Operation::Repair => &mut self.moves,
+        };
+        *count = count.saturating_add(made);
+    }
 }
 
-/// Up to which change an operation was tried in vain, or led to later changes: operations depend on their neighbourhood
-/// alone, so that there is no use in trying again before it changes.
-#[derive(Debug, Default)]
-pub(crate) struct Tried {
-    smooth: FxHashMap<u32, u64>,
-    flip: FxHashMap<[u32; 2], u64>,
-    /// Plain and hard.
-    collapse: [FxHashMap<[u32; 2], u64>; 2],
+/// What the passes are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Phase {
+    /// The outer loop: flips, smoothing, collapses, until a round leaves less than 0.01 % fewer prisms.
+    Coarsen,
+    /// Flips and smoothing; so many rounds are over.
+    Polish(u32),
+    /// Of joint shells: splits where the partner is still violated, then flips, repairs and smoothing.
+    Relieve(u32),
+    Done,
 }
 
-/// Is it a waste to try again? If not, this counts as a try.
-fn in_vain<const N: usize, K: std::hash::Hash + Eq>(
-    state: &State,
-    tried: &mut FxHashMap<K, u64>,
-    key: K,
-    vertices: [u32; N],
-) -> bool {
-    let last = tried.insert(key, state.clock);
-    last.is_some_and(|last| vertices.into_iter().all(|v| state.is_settled(v, last)))
+impl Phase {
+    /// The end, or another round of making room for the partner.
+    fn last(work: &Work<'_>, rounds: u32) -> Self {
+        if rounds < RELIEFS && work.violates_partner() { Self::Relieve(rounds) } else { Self::Done }
+    }
+
+    /// In words, for a progress bar.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Coarsen => "coarsening",
+            Self::Polish(_) => "polishing",
+            Self::Relieve(_) => "making room",
+            Self::Done => "optimised",
+        }
+    }
+}
+
+/// One kind of operation all over the shell, and what is left of it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) enum Pass {
+    /// At these keys, from one of them on.
+    List { operation: Operation, keys: Vec<Key>, next: usize },
+    /// Collapses, shortest edge first.
+    Queue { operation: Operation, queue: BinaryHeap<Entry> },
+}
+
+impl Pass {
+    fn operation(&self) -> Operation {
+        match self {
+            Self::List { operation, .. } | Self::Queue { operation, .. } => *operation,
+        }
+    }
+}
+
+/// Where the work is.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Position {
+    /// Coarsening and polishing are repeated while polishing has made more coarsening possible.
+    pub(crate) repeat: u32,
+    pub(crate) phase: Phase,
+    pub(crate) pass: Pass,
+    /// The number of prisms when this repeat began, and this round of coarsening.
+    pub(crate) before_repeat: usize,
+    pub(crate) before_round: usize,
+}
+
+impl Position {
+    /// The begin.
+    pub(crate) fn new(work: &mut Work<'_>) -> Self {
+        let live = work.state.live;
+        Self {
+            repeat: 0,
+            phase: Phase::Coarsen,
+            pass: work.pass(Operation::Flip),
+            before_repeat: live,
+            before_round: live,
+        }
+    }
+
+    /// One batch further; is there more to do?
+    pub(crate) fn advance(&mut self, work: &mut Work<'_>, polish: u32) -> bool {
+        while self.phase != Phase::Done {
+            match &mut self.pass {
+                Pass::List { operation, keys, next } if *next < keys.len() => {
+                    let end = next.saturating_add(BATCH).min(keys.len());
+                    work.batch(*operation, &keys[*next..end]);
+                    *next = end;
+                    return true;
+                }
+                Pass::Queue { operation, queue } if !queue.is_empty() => {
+                    work.collapses(*operation, queue);
+                    return true;
+                }
+                _ => self.next_pass(work, polish),
+            }
+        }
+        false
+    }
+
+    fn next_pass(&mut self, work: &mut Work<'_>, polish: u32) {
+        let next = match (self.pass.operation(), self.phase) {
+            (Operation::Flip, _) if work.rules.judge.partner.is_some() => Operation::Repair,
+            (Operation::Flip | Operation::Repair, _) => Operation::Smooth,
+            (Operation::Relief, _) => Operation::Flip,
+            (Operation::Smooth, Phase::Coarsen) if self.repeat == 0 => Operation::Collapse,
+            (Operation::Smooth, Phase::Coarsen) => Operation::HardCollapse,
+            (Operation::Split, _) => Operation::Flip,
+            _ => {
+                self.next_round(work, polish);
+                // Once, so that splits and collapses do not undo each other for ever; later coarsening takes away
+                // what has not helped.
+                let first = self.repeat == 0 && self.phase == Phase::Polish(0);
+                match self.phase {
+                    Phase::Relieve(_) => Operation::Relief,
+                    _ if first => Operation::Split,
+                    _ => Operation::Flip,
+                }
+            }
+        };
+        if self.phase != Phase::Done {
+            self.pass = work.pass(next);
+        }
+    }
+
+    fn next_round(&mut self, work: &mut Work<'_>, polish: u32) {
+        // A joint shell is wanted for the two meshes that it holds, not for being coarse.
+        if work.rules.judge.partner.is_some() && !work.violates_partner() {
+            self.phase = Phase::Done;
+            return;
+        }
+        let live = work.state.live;
+        let rounds = match self.phase {
+            Phase::Polish(rounds) => rounds.saturating_add(1),
+            Phase::Coarsen => {
+                work.counts.rounds = work.counts.rounds.saturating_add(1);
+                let fewer = self.before_round.saturating_sub(live);
+                if fewer.saturating_mul(10_000) >= self.before_round {
+                    self.before_round = live;
+                    return;
+                }
+                if self.repeat > 0 && live >= self.before_repeat {
+                    self.phase = Phase::last(work, 0);
+                    return;
+                }
+                0
+            }
+            Phase::Relieve(rounds) => {
+                self.phase = Phase::last(work, rounds.saturating_add(1));
+                return;
+            }
+            Phase::Done => return,
+        };
+        self.phase = if rounds < polish { Phase::Polish(rounds) } else { self.next_repeat(work, live) };
+    }
+
+    fn next_repeat(&mut self, work: &Work<'_>, live: usize) -> Phase {
+        self.repeat += 1;
+        (self.before_repeat, self.before_round) = (live, live);
+        if self.repeat < REPEATS { Phase::Coarsen } else { Phase::last(work, 0) }
+    }
 }
 
 impl Work<'_> {
-    /// Coarsening and polishing, again while polishing has made more coarsening possible.
-    pub(crate) fn run(&mut self, polish: usize, stop: &mut Stop<'_>) {
-        for repeat in 0..REPEATS {
-            let effort = if repeat == 0 { Effort::PLAIN } else { Effort::HARD };
-            let before = self.state.live;
-            self.coarsen(effort, stop);
-            if stop.stopped() || self.state.live == before {
-                break;
+    /// A new pass of an operation over the shell as it is.
+    fn pass(&mut self, operation: Operation) -> Pass {
+        self.tried.forget(&self.state, operation);
+        let keys: Vec<Key> = match operation {
+            Operation::Smooth | Operation::Repair => self.free_vertices(),
+            Operation::Relief => self.narrow_edges(),
+            Operation::Flip => self.state.edges(),
+            Operation::Split => {
+                let mut edges = self.state.edges();
+                edges.retain(|&e| split::is_wanted(&self.state, &self.rules.limits, e));
+                edges
             }
-            self.polish(polish, stop);
-        }
+            Operation::Collapse | Operation::HardCollapse => {
+                let queue = self.state.edges().into_iter().map(|e| self.entry(e)).collect();
+                return Pass::Queue { operation, queue };
+            }
+        };
+        let mut keys = keys;
+        // Stable: with seed 0 all ranks are equal.
+        keys.sort_by_key(|&key| rank(self.seed, key));
+        Pass::List { operation, keys, next: 0 }
     }
 
-    /// The outer loop: until a round leaves less than 0.01 % fewer prisms.
-    fn coarsen(&mut self, effort: Effort, stop: &mut Stop<'_>) {
-        stop.observer.stage("coarsening", None);
-        self.report();
-        loop {
-            let before = self.state.live;
-            self.flips(stop);
-            self.repairs(stop);
-            self.smooth(stop);
-            self.collapses(effort, stop);
-            self.report();
-            self.counts.rounds += 1;
-            if stop.stopped() || (before - self.state.live) * 10_000 < before {
-                return;
-            }
-        }
+    /// The edges of prisms that violate the partner, ascending.
+    fn narrow_edges(&self) -> Vec<Key> {
+        let Some(partner) = &self.rules.judge.partner else { return Vec::new() };
+        let mut edges = self.state.edges();
+        edges.retain(|&edge| repair::is_wanted(&self.state, partner, edge));
+        edges
     }
 
-    fn polish(&mut self, rounds: usize, stop: &mut Stop<'_>) {
-        stop.observer.stage("polishing", None);
-        for _ in 0..rounds {
-            if stop.stopped() {
-                return;
-            }
-            self.flips(stop);
-            self.repairs(stop);
-            self.smooth(stop);
-        }
-        self.report();
+    fn violates_partner(&self) -> bool {
+        !self.narrow_edges().is_empty()
     }
 
-    fn report(&self) {
-        let Some(partner) = self.judge.partner.as_deref() else { return };
-        let faces = self.state.faces.iter().filter(|f| **f != super::state::GONE);
-        let all: Vec<f64> = faces.map(|f| partner.violation_of(&self.state.prism(*f, None))).collect();
-        eprintln!(
-            "prisms {} violation {} in {}",
-            self.state.live,
-            all.iter().sum::<f64>(),
-            all.iter().filter(|v| **v > 0.0).count()
-        );
-    }
-
-    fn repairs(&mut self, stop: &mut Stop<'_>) {
-        if self.judge.partner.is_none() {
-            return;
-        }
-        for v in 0..u32::try_from(self.state.pillars.len()).unwrap_or(u32::MAX) {
-            if self.state.star[v as usize].is_empty() || self.state.is_frozen(v) {
-                continue;
-            }
-            if stop.now() {
-                return;
-            }
-            self.counts.moves += u64::from(repair(&mut self.state, &self.judge, &self.limits, v));
-        }
-    }
-
-    fn flips(&mut self, stop: &mut Stop<'_>) {
-        for edge in self.state.edges() {
-            if stop.now() {
-                return;
-            }
-            if in_vain(&self.state, &mut self.tried.flip, edge, edge) {
-                continue;
-            }
-            self.counts.flips += u64::from(flip(&mut self.state, &self.judge, edge));
-        }
-    }
-
-    fn smooth(&mut self, stop: &mut Stop<'_>) {
-        for v in 0..u32::try_from(self.state.pillars.len()).unwrap_or(u32::MAX) {
-            if self.state.star[v as usize].is_empty() || self.state.is_frozen(v) {
-                continue;
-            }
-            if stop.now() {
-                return;
-            }
-            if in_vain(&self.state, &mut self.tried.smooth, v, [v]) {
-                continue;
-            }
-            let moves = [
-                pan(&mut self.state, &self.judge, v),
-                zoom(&mut self.state, &self.judge, &self.limits, v),
-                rotate(&mut self.state, &self.judge, v),
-            ];
-            self.counts.moves += moves.iter().filter(|m| **m).count() as u64;
-        }
-    }
-
-    /// Shortest edges first; edges around a new vertex join the queue.
-    fn collapses(&mut self, effort: Effort, stop: &mut Stop<'_>) {
-        let mut queue: BinaryHeap<Reverse<(u64, [u32; 2])>> =
-            self.state.edges().into_iter().map(|e| Reverse((self.length(e), e))).collect();
-        while let Some(Reverse((length, edge))) = queue.pop() {
-            if stop.now() {
-                return;
-            }
-            if self.state.edge(edge[0], edge[1]).is_empty() || self.length(edge) != length {
-                continue;
-            }
-            if in_vain(&self.state, &mut self.tried.collapse[usize::from(effort.is_hard())], edge, edge) {
-                continue;
-            }
-            if let Some(stays) = collapse(&mut self.state, &self.judge, &self.limits, effort, edge) {
-                self.counts.collapses += 1;
-                for w in self.state.neighbours(stays) {
-                    let edge = [stays.min(w), stays.max(w)];
-                    queue.push(Reverse((self.length(edge), edge)));
-                }
-            }
-        }
-    }
-
-    /// The edge's length as a number that sorts like it.
-    fn length(&self, edge: [u32; 2]) -> u64 {
-        let [p, q] = edge.map(|v| self.state.pillars[v as usize].middle);
-        // The bits of numbers that are not negative ascend with them.
-        distance(&p, &q).abs().to_bits()
+    /// The vertices that may move, ascending.
+    fn free_vertices(&self) -> Vec<Key> {
+        (0u32..)
+            .zip(&self.state.star)
+            .filter(|(v, star)| !star.is_empty() && !self.state.is_frozen(*v))
+            .map(|(v, _)| [v, v])
+            .collect()
     }
 }

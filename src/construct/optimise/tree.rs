@@ -26,6 +26,16 @@ impl Box3 {
         Self::of([&self.low, &self.high, &other.low, &other.high])
     }
 
+    /// The corner with the least and that with the greatest coordinates.
+    pub(crate) fn ends(&self) -> [[f64; 3]; 2] {
+        [self.low, self.high]
+    }
+
+    /// The lengths of the sides, rounded.
+    pub(crate) fn sides(&self) -> [f64; 3] {
+        [0, 1, 2].map(|i| self.high[i] - self.low[i])
+    }
+
     /// Do the closed boxes share a point?
     pub(crate) fn meets(&self, other: &Self) -> bool {
         // Without short cuts: six comparisons are cheaper than six branches.

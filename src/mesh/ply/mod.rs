@@ -4,12 +4,15 @@
 //! the header declares `float`. One element a line in text.
 
 mod body;
+mod columns;
 mod header;
 
 use super::TriMesh;
 use super::error::{Fault, Located};
 use super::format::Format;
 use super::text::{Builder, with_room};
+pub(super) use columns::columns;
+
 use body::{Ascii, Binary, Number, Source};
 use header::{Element, Header, Kind};
 

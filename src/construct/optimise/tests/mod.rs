@@ -1,18 +1,21 @@
 //! Operations against their definitions: the certifier judges what they make, brute force what they are made of.
 
+mod resume;
+mod same;
+
+use std::borrow::Cow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-use super::collapse::{Effort, collapse};
 use super::energy::{gradient, mips};
-use super::flip::flip;
 use super::invariants::Judge;
 use super::limits::Limits;
+use super::operation::{Operation, Rules};
 use super::prism::{Pillar, Prism};
-use super::smooth::{pan, rotate, zoom};
+use super::smooth::Vertex;
 use super::state::{Change, GONE, State};
 use super::tree::{Box3, Tree};
-use super::{OptimiseOptions, optimise};
+use super::{OptimiseOptions, Optimiser, optimise, split};
 use crate::certify::{self, Observer, Silent, Verdict};
 use crate::construct::{InitialOptions, initial};
 use crate::mesh::{Connectivity, TriMesh};
@@ -131,32 +134,43 @@ fn sanity_check(state: &State, start: &Connectivity) {
 }
 
 /// One operation at a random place; whether it was made.
-fn random_operation(state: &mut State, judge: &Judge<'_>, limits: &Limits, random: &mut Random) -> bool {
+fn random_operation(state: &mut State, rules: &Rules<'_>, random: &mut Random) -> bool {
     let live: Vec<[u32; 3]> = state.faces.iter().copied().filter(|f| *f != GONE).collect();
     let [u, w, _] = live[random.below(live.len())];
-    match random.below(6) {
-        0 => collapse(state, judge, limits, Effort::PLAIN, [u, w]).is_some(),
-        1 => collapse(state, judge, limits, Effort::HARD, [u, w]).is_some(),
-        2 => flip(state, judge, [u, w]),
-        kind => {
-            if state.is_frozen(u) {
-                return false;
-            }
-            match kind {
-                3 => pan(state, judge, u),
-                4 => zoom(state, judge, limits, u),
-                _ => rotate(state, judge, u),
-            }
+    let edge = |operation: Operation| Some(operation.propose(state, rules, [u, w])?.0);
+    let change = match random.below(8) {
+        0 => edge(Operation::Collapse),
+        1 => edge(Operation::HardCollapse),
+        2 => edge(Operation::Flip),
+        3 => edge(Operation::Split),
+        // Also such that lowers no energy.
+        4 if !state.is_frozen(u) && !state.is_frozen(w) => {
+            let share = 0.5 + 0.5 * random.real().abs();
+            split::at_middle(state, &rules.judge, &rules.limits, [u, w], share)
+                .filter(|change| rules.judge.admits(state, change))
         }
-    }
+        kind if !state.is_frozen(u) => {
+            let mut vertex = Vertex::new(state, &rules.judge, u);
+            let moved = match kind {
+                5 => vertex.pan(),
+                6 => vertex.zoom(&rules.limits),
+                _ => vertex.rotate(),
+            };
+            moved.then(|| vertex.change())
+        }
+        _ => None,
+    };
+    change.inspect(|change| state.apply(change)).is_some()
 }
 
 fn random_sequence(mesh: &TriMesh, operations: usize, random: &mut Random) {
     let first = initial(mesh, &InitialOptions::default(), &Silent).unwrap();
     let start = connectivity(&first.shell);
     let mut state = State::new(&first.shell, &start);
-    let judge = Judge::new(mesh, 0.0);
-    let limits = Limits { thickness: 0.3, energy: 30.0 };
+    let rules = Rules {
+        judge: Judge::new(Cow::Borrowed(mesh), 0.0),
+        limits: Limits { thickness: 0.3, energy: 30.0 },
+    };
     let frozen: Vec<(usize, Pillar)> = (0..state.pillars.len())
         .filter(|&v| state.is_frozen(v as u32))
         .map(|v| (v, state.pillars[v]))
@@ -164,7 +178,7 @@ fn random_sequence(mesh: &TriMesh, operations: usize, random: &mut Random) {
     let mut made = 0;
     for k in 0..operations {
         let before = state.clone();
-        if random_operation(&mut state, &judge, &limits, random) {
+        if random_operation(&mut state, &rules, random) {
             made += 1;
             assert_ne!(state, before);
             sanity_check(&state, &start);
@@ -222,7 +236,7 @@ fn judge_agrees_with_the_certifier_on_random_moves() {
         let options = OptimiseOptions { polish: 2, ..OptimiseOptions::default() };
         let shell = optimise(&mesh, &first.shell, &options, &Silent).unwrap().shell;
         let state = State::new(&shell, &connectivity(&shell));
-        let judge = Judge::new(&mesh, 0.0);
+        let judge = Judge::new(Cow::Borrowed(&mesh), 0.0);
         for _ in 0..120 {
             let v = random.below(state.pillars.len());
             let size = [0.02, 0.1, 0.3][random.below(3)];
