@@ -43,14 +43,20 @@ fn a_pair_leaves_a_directory_that_the_checkers_accept() {
     let at = folder.path();
     save(at, "a.off", &icosphere(1));
     save(at, "b.off", &icosphere(2));
-    let out = run(&["audit", "a.off", "b.off", "-o", "out", "--junit", "j.xml", "--vtu", "v.vtu", "-q"], at);
+    let out = run(
+        &[
+            "audit", "a.off", "b.off", "-o", "out", "--junit", "j.xml", "--vtu", "v.vtu", "--html", "r.html",
+            "-q",
+        ],
+        at,
+    );
     let text = String::from_utf8(out.stdout).unwrap();
     assert_eq!(out.status.code(), Some(0), "{text}{}", String::from_utf8_lossy(&out.stderr));
     assert!(text.contains("VERDICT  bijective: "));
     let composed = ["check", "compose", "a.cert", "b.cert", "shell.h5", "a.off", "b.off"];
     let checked = run(&composed, &at.join("out"));
     assert_eq!(String::from_utf8(checked.stdout).unwrap(), "valid\ncomposition certified\n");
-    for file in ["out/audit.json", "j.xml", "v.vtu"] {
+    for file in ["out/audit.json", "j.xml", "v.vtu", "r.html"] {
         assert!(at.join(file).is_file(), "{file}");
     }
     fits(&at.join("out/audit.json"), "audit");

@@ -35,6 +35,7 @@ pub use cage::cage;
 pub use documents::{Document, canonical};
 pub use error::AuditError;
 pub use options::{AuditOptions, Try};
+pub use point::ExactPoint;
 pub use report::{AuditReport, AuditVerdict};
 pub use run::{Audit, Subject, audit};
 pub use words::words;

@@ -13,7 +13,8 @@ use super::{audit_batch, error};
 use crate::audit::batch::Shard;
 use crate::audit::{self, AuditOptions, AuditVerdict, Document, Subject, Try};
 use crate::mesh;
-use crate::shell::hdf5;
+use crate::report::html;
+use crate::shell::{Shell, hdf5};
 
 /// Arguments of `homeo audit`.
 #[derive(Debug, clap::Args)]
@@ -22,7 +23,7 @@ pub(super) struct Args {
     #[arg(num_args = 0..=2, value_name = "FILE", required_unless_present = "manifest")]
     pub(super) files: Vec<PathBuf>,
     /// Is the second file strictly nested in the first (C7), and has the cage handles that the mesh lacks (C7b)?
-    #[arg(long, conflicts_with_all = ["shell", "tries", "junit", "vtu", "manifest"])]
+    #[arg(long, conflicts_with_all = ["shell", "tries", "junit", "vtu", "html", "manifest"])]
     cage: bool,
     /// Try this shell first (HDF5)
     #[arg(long, value_name = "SHELL")]
@@ -51,9 +52,12 @@ pub(super) struct Args {
     /// Points of all violations, for ParaView
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
+    /// A page with tables and a 3D view of meshes, shells and violations; one file that needs no network
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// Audit all pairs and cages of a manifest (TOML: `[[pair]]` with a, b and perhaps name, shell; `[[cage]]` with mesh,
     /// cage); results go to DIR/results.jsonl, one line each
-    #[arg(long, value_name = "FILE", requires = "out", conflicts_with_all = ["files", "shell", "json", "junit", "vtu"])]
+    #[arg(long, value_name = "FILE", requires = "out", conflicts_with_all = ["files", "shell", "json", "junit", "vtu", "html"])]
     pub(super) manifest: Option<PathBuf>,
     /// How many audits of a manifest run at a time
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -95,7 +99,8 @@ impl Args {
             Some(file) => Json::File(file.clone()),
         };
         let mut taken: Vec<&Path> = self.files.iter().chain(&self.shell).map(PathBuf::as_path).collect();
-        for file in json.file().into_iter().chain(self.junit.as_deref()).chain(self.vtu.as_deref()) {
+        let others = [&self.junit, &self.vtu, &self.html].into_iter().flatten().map(PathBuf::as_path);
+        for file in json.file().into_iter().chain(others) {
             output::may_write(file, &taken)?;
             taken.push(file);
         }
@@ -150,6 +155,9 @@ fn pair(
     if let Some(file) = &args.vtu {
         output::replace(file, audit::vtu::vtu(report).as_bytes())?;
     }
+    if let Some(file) = &args.html {
+        output::replace(file, html(report, [&a, &b], &shells(&done.documents)?).as_bytes())?;
+    }
     let mut words = audit::words(report);
     if let Some(directory) = outputs.directory {
         write_all(directory, &done.documents, report)?;
@@ -160,6 +168,12 @@ fn pair(
     }
     outputs.json.emit(report, &words)?;
     Ok(ExitCode::from(u8::from(report.verdict != AuditVerdict::Bijective)))
+}
+
+/// The shells among the documents, by name.
+fn shells(documents: &[Document]) -> Result<Vec<(String, Shell)>, CliError> {
+    let files = documents.iter().filter(|d| d.file.ends_with(".h5"));
+    files.map(|d| Ok((d.file.clone(), hdf5::parse(&d.file, d.bytes.clone())?.shell))).collect()
 }
 
 fn cage(args: &Args, cage: &Path, mesh: &Path, outputs: &Outputs<'_>) -> Result<ExitCode, CliError> {

@@ -1,7 +1,8 @@
-//! What people and programs are told: JSON, and sentences. No decisions are made here.
+//! What people and programs are told: JSON, sentences, and pages. No decisions are made here.
 
 mod built;
 mod certified;
+mod html;
 mod sentence;
 
 pub use built::{
@@ -11,4 +12,5 @@ pub use built::{
 pub use certified::{
     CertifyReport, ClaimReport, MeshReport, PartReport, RefutationReport, ShellReport, StageReport,
 };
+pub use html::html;
 pub use sentence::{Sources, sentence};
