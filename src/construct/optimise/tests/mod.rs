@@ -1,5 +1,6 @@
 //! Operations against their definitions: the certifier judges what they make, brute force what they are made of.
 
+mod joint;
 mod resume;
 mod same;
 
