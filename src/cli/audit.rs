@@ -56,7 +56,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
     /// Audit all pairs and cages of a manifest (TOML: `[[pair]]` with a, b and perhaps name, shell; `[[cage]]` with mesh,
-    /// cage); results go to DIR/results.jsonl, one line each
+    /// cage); results go to DIR/results.jsonl, one line each (entries of one name and content are one audit)
     #[arg(long, value_name = "FILE", requires = "out", conflicts_with_all = ["files", "shell", "json", "junit", "vtu", "html"])]
     pub(super) manifest: Option<PathBuf>,
     /// How many audits of a manifest run at a time
