@@ -171,3 +171,22 @@ fn a_batch_killed_at_every_line_loses_and_doubles_none() {
     assert!(!std::fs::read_to_string(at.join("out/summary.md")).unwrap().contains("error"));
     assert_eq!(keys(&results).len(), 15);
 }
+
+#[test]
+fn documents_do_not_replace_inputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    save(at, "a.off", &icosphere(0));
+    save(at, "b.off", &icosphere(1));
+    save(at, "mesh.off", &icosphere(1));
+    save(at, "other.off", &icosphere(1));
+    let before = std::fs::read(at.join("a.off")).unwrap();
+    for arguments in [
+        &["audit", "b.off", "a.off", "-o", ".", "-q"][..],
+        &["audit", "a.off", "other.off", "-o", ".", "-q"],
+        &["audit", "--cage", "other.off", "mesh.off", "-o", ".", "-q"],
+    ] {
+        assert_eq!(run(arguments, at).status.code(), Some(2), "{arguments:?}");
+        assert_eq!(std::fs::read(at.join("a.off")).unwrap(), before);
+    }
+}
