@@ -5,7 +5,7 @@ It follows certs/FORMAT.md, version 1, whose sections are cited, and needs only 
 are multiplied by one common power of two: every decision is made on Python integers. certificate.py reads the
 certificate and says what a *tag* is; inputs.py reads the input files.
 """
-import collections, hashlib, itertools, math, struct, sys
+import collections, hashlib, itertools, math, os, struct, sys
 from certificate import CLAIMS, Certificate, Stop, distinct, need
 from inputs import WRONG, read_file, read_inputs
 
@@ -396,5 +396,5 @@ def run(paths):  # the exit code and the text to print
 
 if __name__ == "__main__":
     status, answer = run(sys.argv[1:])
-    print(answer)
-    sys.exit(status)
+    try: print(answer, flush=True)
+    finally: os._exit(status)  # a closed pipe must not change the exit code

@@ -4,7 +4,7 @@
 It follows certs/MESHES.md, version 1, whose sections are cited, and needs only the standard library. Coordinates are
 multiplied by one common denominator if it is not too long: decisions are made on integers, else on fractions.
 """
-import collections, functools, hashlib, itertools, math, re, sys
+import collections, functools, hashlib, itertools, math, os, re, sys
 from fractions import Fraction
 from check import Stop, box, chain, cross, det3, dot, meet, meeting, mix, need, plane, sub
 from inputs import WRONG, read_file, read_mesh
@@ -453,5 +453,5 @@ def run(paths):  # the exit code and the text to print
 
 if __name__ == "__main__":
     status, answer = run(sys.argv[1:])
-    print(answer)
-    sys.exit(status)
+    try: print(answer, flush=True)
+    finally: os._exit(status)  # a closed pipe must not change the exit code

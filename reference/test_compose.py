@@ -1,5 +1,6 @@
 """Tests of check_compose.py on shells written by hand: python3 -m unittest discover -s reference"""
 import os
+import subprocess
 import sys
 import unittest
 
@@ -42,6 +43,19 @@ class Compose(test_check.Checks):
         self.assertEqual(self.first([self.write("m", "homeo-meshes 1\nend\n")] + files[1:]), "malformed magic")
         self.assertEqual(self.first(files[:4]), "malformed usage")
         self.assertEqual(self.first(["none"] + files[1:]), "malformed usage")
+        swapped = self.files(other=LOW)
+        self.assertEqual(self.first([swapped[1], "none"] + swapped[2:]), "invalid hash")
+
+    def test_the_exit_code_survives_a_closed_pipe(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        script = os.path.join(HERE, "check_compose.py")
+        done = subprocess.run([sys.executable, script] + self.files(), stdout=writer, stderr=subprocess.DEVNULL)
+        os.close(writer)
+        self.assertEqual(done.returncode, 0)
+
+    def test_missing_inputs(self):
+        files = self.files()
         self.assertEqual(self.first(files[:2] + ["none"] + files[3:]), "malformed input")
 
 

@@ -125,9 +125,10 @@ fn a_batch_killed_at_every_line_loses_and_doubles_none() {
         save(at, &format!("cage{i}.off"), &scaled(1, 1.5 + f64::from(i)));
         manifest += &format!("[[cage]]\nmesh = 'mesh.off'\ncage = 'cage{i}.off'\n");
     }
-    // The same content again, and a file that is not there.
+    // The same content under the same name, the same under another, and a file that is not there.
     manifest +=
         "[[cage]]\nmesh = 'mesh.off'\ncage = 'cage0.off'\n[[cage]]\nmesh = 'mesh.off'\ncage = 'none.off'\n";
+    manifest += "[[cage]]\nname = 'again'\nmesh = 'mesh.off'\ncage = 'cage0.off'\n";
     std::fs::write(at.join("many.toml"), manifest).unwrap();
     let results = at.join("out/results.jsonl");
     let arguments = ["audit", "--manifest", "many.toml", "--out", "out", "--jobs", "2", "--resume", "-q"];
@@ -148,8 +149,8 @@ fn a_batch_killed_at_every_line_loses_and_doubles_none() {
         }
     }
     let all = keys(&results);
-    assert_eq!(all.len(), 13);
-    assert_eq!(all.iter().collect::<HashSet<_>>().len(), 13);
+    assert_eq!(all.len(), 14);
+    assert_eq!(all.iter().collect::<HashSet<_>>().len(), 14);
     assert!(kills > 0, "the batch was never killed");
     assert!(at.join("out/summary.md").is_file());
     // Again without --resume: refused. In shards and merged: the same results.
@@ -163,4 +164,29 @@ fn a_batch_killed_at_every_line_loses_and_doubles_none() {
     assert_eq!(out.status.code(), Some(0));
     let merged: HashSet<String> = keys(&at.join("all.jsonl")).into_iter().collect();
     assert_eq!(merged, all.into_iter().collect());
+    // The file appears: its error is no result of this manifest any more.
+    save(at, "none.off", &scaled(1, 40.0));
+    let out = run(&arguments, at);
+    assert_eq!(out.status.code(), Some(0));
+    assert!(!std::fs::read_to_string(at.join("out/summary.md")).unwrap().contains("error"));
+    assert_eq!(keys(&results).len(), 15);
+}
+
+#[test]
+fn documents_do_not_replace_inputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    save(at, "a.off", &icosphere(0));
+    save(at, "b.off", &icosphere(1));
+    save(at, "mesh.off", &icosphere(1));
+    save(at, "other.off", &icosphere(1));
+    let before = std::fs::read(at.join("a.off")).unwrap();
+    for arguments in [
+        &["audit", "b.off", "a.off", "-o", ".", "-q"][..],
+        &["audit", "a.off", "other.off", "-o", ".", "-q"],
+        &["audit", "--cage", "other.off", "mesh.off", "-o", ".", "-q"],
+    ] {
+        assert_eq!(run(arguments, at).status.code(), Some(2), "{arguments:?}");
+        assert_eq!(std::fs::read(at.join("a.off")).unwrap(), before);
+    }
 }

@@ -5,22 +5,23 @@ use crate::parse::{Cert, parse};
 use crate::{Fail, Res};
 use std::borrow::Cow;
 
-/// Checks both certificates, then that they fit together.
-pub(crate) fn run(certs: [&[u8]; 2], shell: &[u8], meshes: [&[u8]; 2]) -> Res<Vec<(&'static str, bool)>> {
-    let check = |i: usize| {
-        let inputs = [shell.to_vec(), meshes[i].to_vec()];
-        let cert = parse(certs[i])?;
-        crate::run(certs[i], || Ok(Cow::Borrowed(&inputs[..])))?;
+/// Checks a certificate by itself; the message of an error begins with its name.
+pub(crate) fn checked<'a>(
+    name: &str,
+    cert: Res<Cow<'a, [u8]>>,
+    inputs: impl FnOnce() -> Res<Cow<'a, [Vec<u8>]>>,
+) -> Res<Cert> {
+    let check = || {
+        let bytes = cert?;
+        let cert = parse(&bytes)?;
+        crate::run(&bytes, inputs)?;
         Ok(cert)
     };
-    let named = |i: usize| {
-        check(i).map_err(|f: Fail| Fail { message: format!("{}: {}", ["A", "B"][i], f.message), ..f })
-    };
-    fits(&named(0)?, &named(1)?)?;
-    Ok(vec![("composition", true)])
+    check().map_err(|f: Fail| Fail { message: format!("{name}: {}", f.message), ..f })
 }
 
-fn fits(a: &Cert, b: &Cert) -> Res {
+/// Do certificates that were checked fit together?
+pub(crate) fn fits(a: &Cert, b: &Cert) -> Res<Vec<(&'static str, bool)>> {
     ensure!(a.shell.sha == b.shell.sha, "shells", "the certificates are about different shells");
     ensure!(a.order == b.order, "orders", "the certificates are about different vertex orders");
     for (name, cert) in [("A", a), ("B", b)] {
@@ -30,5 +31,5 @@ fn fits(a: &Cert, b: &Cert) -> Res {
             "{name}: `bijection` is not certified"
         );
     }
-    Ok(())
+    Ok(vec![("composition", true)])
 }

@@ -117,21 +117,29 @@ pub fn check_files<P: AsRef<Path>>(cert: &Path, inputs: &[P]) -> Outcome {
 /// Checks that two certificates together prove a homeomorphism from mesh A to mesh B (FORMAT section 7): both are valid on
 /// the same shell file, with one vertex order, and certify `bijection`.
 pub fn compose(certs: [&[u8]; 2], shell: &[u8], meshes: [&[u8]; 2]) -> Outcome {
-    outcome(compose::run(certs, shell, meshes))
+    let one = |i: usize| {
+        let inputs = || Ok(Cow::Owned(vec![shell.to_vec(), meshes[i].to_vec()]));
+        compose::checked(["A", "B"][i], Ok(Cow::Borrowed(certs[i])), inputs)
+    };
+    let both = || compose::fits(&one(0)?, &one(1)?);
+    outcome(both())
 }
 
 /// The same for five files: the certificates of A and of B, the shell, A and B.
 pub fn compose_files<P: AsRef<Path>>(files: &[P]) -> Outcome {
-    let read = || match files {
+    let one = |name, cert: &P, inputs: [&P; 2]| {
+        let load =
+            || inputs.iter().map(|path| load(path.as_ref(), (1 << 30) + 1, "input")).collect::<Res<Vec<_>>>();
+        compose::checked(name, load_cert(cert.as_ref()).map(Cow::Owned), || load().map(Cow::Owned))
+    };
+    let both = || match files {
+        // In this order: nothing of B is read before A is checked.
         [a_cert, b_cert, shell, a, b] => {
-            let certs = [load_cert(a_cert.as_ref())?, load_cert(b_cert.as_ref())?];
-            let input = |path: &P| load(path.as_ref(), (1 << 30) + 1, "input");
-            let (shell, meshes) = (input(shell)?, [input(a)?, input(b)?]);
-            compose::run(certs.each_ref().map(Vec::as_slice), &shell, meshes.each_ref().map(Vec::as_slice))
+            compose::fits(&one("A", a_cert, [shell, a])?, &one("B", b_cert, [shell, b])?)
         }
         _ => malformed("usage", "compose wants five files: A.cert B.cert SHELL A B"),
     };
-    outcome(read())
+    outcome(both())
 }
 
 fn load_cert(path: &Path) -> Res<Vec<u8>> {

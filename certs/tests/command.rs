@@ -39,6 +39,14 @@ fn answers() {
         assert!(text.starts_with(expected), "{arguments:?}: {text}");
         assert_eq!(exit, Some(2));
     }
+    // Two certificates: what is wrong with A is said before B is read.
+    let none = "no-such-file";
+    for (a, expected) in [(files[1], "malformed truncated : A: "), (none, "malformed usage : A: ")] {
+        let (exit, text) = run(&["compose", a, none, none, none, none]);
+        assert!(text.starts_with(expected), "{text}");
+        assert_eq!(exit, Some(2));
+    }
+    assert_eq!(run(&["compose", files[0]]).0, Some(2));
     assert_eq!(run(&["--help"]).0, Some(0));
     assert_eq!(run(&["--version"]), (Some(0), format!("homeo-check {}\n", env!("CARGO_PKG_VERSION"))));
 }

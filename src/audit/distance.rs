@@ -6,36 +6,45 @@ use rstar::{AABB, RTree};
 
 use crate::shell::{Layer, Shell};
 
+/// The largest absolute value of a coordinate, or one: in this unit squares and products of coordinates neither
+/// overflow nor vanish.
+pub(crate) fn unit<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> f64 {
+    let largest = points.flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    if largest > 0.0 { largest } else { 1.0 }
+}
+
 /// Bottom and top triangles, to be searched.
 pub(crate) struct Caps {
+    unit: f64,
     tree: RTree<GeomWithData<Rectangle<[f64; 3]>, [DVec3; 3]>>,
 }
 
 impl Caps {
     pub(crate) fn new(shell: &Shell) -> Self {
+        let unit = unit(shell.bottom.iter().chain(&shell.top));
         let triangles = [Layer::Bottom, Layer::Top].into_iter().flat_map(|layer| {
             let points = shell.layer(layer);
-            shell.faces.iter().map(move |f| f.map(|v| DVec3::from(points[v as usize])))
+            shell.faces.iter().map(move |f| f.map(|v| DVec3::from(points[v as usize]) / unit))
         });
         let leaf = |t: [DVec3; 3]| {
             let corners = t.map(|p| p.to_array());
             let bounds = AABB::from_points(corners.iter());
             GeomWithData::new(Rectangle::from_aabb(bounds), t)
         };
-        Self { tree: RTree::bulk_load(triangles.map(leaf).collect()) }
+        Self { unit, tree: RTree::bulk_load(triangles.map(leaf).collect()) }
     }
 
     /// The distance of a point to the nearest triangle; infinite without triangles.
     pub(crate) fn distance(&self, point: [f64; 3]) -> f64 {
-        let p = DVec3::from(point);
+        let p = DVec3::from(point) / self.unit;
         let mut best = f64::INFINITY;
-        for (leaf, box_distance_2) in self.tree.nearest_neighbor_iter_with_distance_2(&point) {
+        for (leaf, box_distance_2) in self.tree.nearest_neighbor_iter_with_distance_2(&p.to_array()) {
             if box_distance_2 >= best * best {
                 break;
             }
             best = best.min(p.distance(nearest(p, leaf.data)));
         }
-        best
+        best * self.unit
     }
 }
 

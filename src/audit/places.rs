@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use dashu_ratio::RBig;
 
-use super::distance::Caps;
+use super::distance::{Caps, unit};
 use super::error::AuditError;
 use super::point::{ExactPoint, coordinates, rounded, rounded_dyadic};
 use super::regions::regions;
@@ -193,14 +193,16 @@ fn diagonal(vertices: &[[f64; 3]]) -> f64 {
         let x = || vertices.iter().map(|p| p[i]);
         x().fold(f64::NEG_INFINITY, f64::max) - x().fold(f64::INFINITY, f64::min)
     };
-    (0..3).map(|i| extent(i) * extent(i)).sum::<f64>().sqrt()
+    let unit = unit(vertices.iter());
+    unit * (0..3).map(|i| (extent(i) / unit).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The share of area and the number of triangles that are not marked, in floating point.
 fn clean(mesh: &MeshView<'_>, marked: &HashSet<u32>) -> (f64, usize) {
     let (mut all, mut clean, mut count) = (0.0, 0.0, 0);
+    let unit = unit(mesh.vertices.iter());
     for f in 0..mesh.faces.len() as u32 {
-        let [a, b, c] = mesh.points(f).map(|p| glam::DVec3::from(*p));
+        let [a, b, c] = mesh.points(f).map(|p| glam::DVec3::from(*p) / unit);
         let area = (b - a).cross(c - a).length();
         all += area;
         if !marked.contains(&f) {

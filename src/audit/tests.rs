@@ -257,3 +257,25 @@ fn there_are_violations_just_where_the_certifier_refutes() {
     }
     assert!(verdicts.iter().all(|n| *n > 3), "{verdicts:?}");
 }
+
+/// Powers of two change no verdict, no weight and no share; squares of these coordinates overflow and vanish.
+#[test]
+fn numbers_for_people_do_not_depend_on_the_scale() {
+    let survey = |exponent: i32| {
+        let scale = 2.0_f64.powi(exponent);
+        let scaled = |points: &mut Vec<[f64; 3]>| points.iter_mut().for_each(|p| *p = p.map(|x| x * scale));
+        let (mut shell, mut a, mut b) = (radial(1), icosphere(1), icosphere(1));
+        b.vertices[0] = b.vertices[0].map(|x| 4.0 * x);
+        [&mut shell.bottom, &mut shell.middle, &mut shell.top, &mut a.vertices, &mut b.vertices]
+            .into_iter()
+            .for_each(scaled);
+        let report = run(&a, &b, Some(&shell)).report;
+        let found = report.attempts[0].surveys[0].clone();
+        let far = found.largest_distance_outside.unwrap() / scale;
+        (found.clean_area_share, found.clean_triangles, far, found.largest_distance_share.unwrap())
+    };
+    let (share, clean, far, relative) = survey(0);
+    assert!(share > 0.1 && clean > 40 && far > 1.0 && relative > 0.1, "{share} {clean} {far} {relative}");
+    assert_eq!(survey(600), (share, clean, far, relative));
+    assert_eq!(survey(-600), (share, clean, far, relative));
+}

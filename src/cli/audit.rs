@@ -56,7 +56,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
     /// Audit all pairs and cages of a manifest (TOML: `[[pair]]` with a, b and perhaps name, shell; `[[cage]]` with mesh,
-    /// cage); results go to DIR/results.jsonl, one line each
+    /// cage); results go to DIR/results.jsonl, one line each (entries of one name and content are one audit)
     #[arg(long, value_name = "FILE", requires = "out", conflicts_with_all = ["files", "shell", "json", "junit", "vtu", "html"])]
     pub(super) manifest: Option<PathBuf>,
     /// How many audits of a manifest run at a time
@@ -99,12 +99,28 @@ impl Args {
             Some(file) => Json::File(file.clone()),
         };
         let mut taken: Vec<&Path> = self.files.iter().chain(&self.shell).map(PathBuf::as_path).collect();
+        if let Some(directory) = &self.out {
+            let mut there =
+                self.documents().into_iter().map(|name| directory.join(name)).filter(|path| path.exists());
+            there.try_for_each(|path| output::may_write(&path, &taken))?;
+        }
         let others = [&self.junit, &self.vtu, &self.html].into_iter().flatten().map(PathBuf::as_path);
         for file in json.file().into_iter().chain(others) {
             output::may_write(file, &taken)?;
             taken.push(file);
         }
         Ok(Outputs { directory: self.out.as_deref(), json: json.clone() })
+    }
+
+    /// Names of all documents of `--out` that meshes and shells may have, too: in the inputs' own directory these
+    /// would be replaced.
+    fn documents(&self) -> Vec<String> {
+        let fixed =
+            ["a.off", "b.off", "mesh.off", "cage.off", "shell.h5", "audit.json"].map(ToOwned::to_owned);
+        let tries = || Try::ALL.into_iter().chain([Try::Given]);
+        let shells = (1..=self.tries.len().max(Try::ALL.len()) + 1)
+            .flat_map(|number| tries().map(move |which| format!("try{number}-{}.h5", which.name())));
+        fixed.into_iter().chain(shells).collect()
     }
 }
 

@@ -1,5 +1,6 @@
 //! `homeo audit --manifest`.
 
+use std::collections::HashSet;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -44,6 +45,7 @@ pub(super) fn run(args: &Args, manifest: &Path, options: &AuditOptions) -> Resul
         items: items.of_shard(shard).collect(),
         next: AtomicUsize::new(0),
         journal: Mutex::new(journal),
+        keys: Mutex::new(HashSet::new()),
         failed: Mutex::new(None),
         directory,
         options,
@@ -62,9 +64,12 @@ pub(super) fn run(args: &Args, manifest: &Path, options: &AuditOptions) -> Resul
     if progress.interrupted() {
         return Err(CliError::Stopped { results: journal.lines().len() });
     }
-    summarise(directory, &shard.file_name(), journal.lines())?;
+    let keys = work.keys.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    // Earlier results of files that have changed since, or are not in the manifest, stay in the journal.
+    let lines: Vec<ResultLine> = journal.lines().iter().filter(|l| keys.contains(&l.key)).cloned().collect();
+    summarise(directory, &shard.file_name(), &lines)?;
     let good = |l: &ResultLine| matches!(l.verdict.as_str(), "bijective" | "nested");
-    Ok(ExitCode::from(u8::from(!journal.lines().iter().all(good))))
+    Ok(ExitCode::from(u8::from(!lines.iter().all(good))))
 }
 
 fn read_manifest(path: &Path) -> Result<Manifest, CliError> {
@@ -87,6 +92,8 @@ struct Work<'a> {
     items: Vec<&'a Item>,
     next: AtomicUsize,
     journal: Mutex<Journal>,
+    /// Keys of the manifest's audits as its files are now.
+    keys: Mutex<HashSet<String>>,
     /// What ended the run.
     failed: Mutex<Option<CliError>>,
     directory: &'a Path,
@@ -127,6 +134,7 @@ impl Work<'_> {
                 item.key(&names(item).into_iter().map(String::into_bytes).collect::<Vec<_>>(), self.options)
             }
         };
+        lock(&self.keys).insert(key.clone());
         if lock(&self.journal).has(&key) {
             return Ok(());
         }

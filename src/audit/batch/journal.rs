@@ -46,7 +46,7 @@ pub enum JournalError {
 /// The result of one audit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ResultLine {
-    /// Hash of kind, options and contents of the files.
+    /// Hash of kind, name, options and contents of the files.
     pub key: String,
     /// What was audited.
     pub kind: Kind,

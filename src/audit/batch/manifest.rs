@@ -67,7 +67,8 @@ impl Item {
         Self { kind, name, files }
     }
 
-    /// The key of the result: a hash of what the files hold and of the options that matter for the result.
+    /// The key of the result: a hash of its name, of what the files hold and of the options that matter for the result.
+    /// The name is in it because remeshers that made the same file are still two audits, each with a result.
     #[must_use]
     pub fn key(&self, contents: &[Vec<u8>], options: &AuditOptions) -> String {
         let kind = if self.kind == Kind::Pair { "pair" } else { "cage" };
@@ -77,7 +78,7 @@ impl Item {
         } else {
             String::new()
         };
-        let head = [kind.as_bytes(), options.as_bytes()];
+        let head = [kind.as_bytes(), self.name.as_bytes(), options.as_bytes()];
         sha256(head.into_iter().chain(contents.iter().map(Vec::as_slice)))
     }
 }
@@ -96,6 +97,10 @@ impl Manifest {
     /// [`ManifestError`] with the line and the reason.
     pub fn parse(text: &str, directory: &Path) -> Result<Self, ManifestError> {
         let entries: Entries = toml::from_str(text).map_err(|e| ManifestError(e.to_string()))?;
+        if entries.pair.is_empty() && entries.cage.is_empty() {
+            // "All are bijective" would be true of nothing.
+            return Err(ManifestError("there is no [[pair]] and no [[cage]]".to_owned()));
+        }
         let at = |file: PathBuf| directory.join(file);
         let pairs = entries.pair.into_iter().map(|p| {
             let files = [Some(p.a), Some(p.b), p.shell].into_iter().flatten().map(at).collect();

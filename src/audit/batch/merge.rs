@@ -1,6 +1,6 @@
 //! One list of results from several.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::journal::ResultLine;
 
@@ -18,7 +18,8 @@ pub struct MergeError {
     pub second: String,
 }
 
-/// Every result once, by name and key. Of two with one key the first stays; a result takes the place of an error.
+/// Every result once, by name and key. Of two with one key the first stays; a result takes the place of an error, also of
+/// one with another key: a file that could not be read has no content to make a key of.
 ///
 /// # Errors
 /// [`MergeError`] for two different verdicts on one key.
@@ -41,7 +42,10 @@ pub fn merge(lines: impl IntoIterator<Item = ResultLine>) -> Result<Vec<ResultLi
             }
         }
     }
-    let mut out: Vec<ResultLine> = by_key.into_values().collect();
+    let audit = |l: &ResultLine| (l.kind, l.name.clone(), l.files.clone());
+    let done: BTreeSet<_> = by_key.values().filter(|l| l.verdict != "error").map(audit).collect();
+    let mut out: Vec<ResultLine> =
+        by_key.into_values().filter(|l| l.verdict != "error" || !done.contains(&audit(l))).collect();
     out.sort_by(|a, b| (&a.name, &a.key).cmp(&(&b.name, &b.key)));
     Ok(out)
 }

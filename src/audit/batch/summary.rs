@@ -32,6 +32,11 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
+/// Directories are named by keys. Results to be merged come from anywhere, and a link may be a script.
+fn is_key(directory: &str) -> bool {
+    directory.bytes().all(|b| b.is_ascii_hexdigit())
+}
+
 /// The same page in HTML.
 #[must_use]
 pub fn html(lines: &[ResultLine]) -> String {
@@ -45,8 +50,8 @@ pub fn html(lines: &[ResultLine]) -> String {
     for l in lines {
         let (name, verdict, words) = (escaped(&l.name), escaped(&l.verdict), escaped(&l.summary));
         let name = match &l.directory {
-            Some(directory) => format!("<a href=\"{}/audit.json\">{name}</a>", escaped(directory)),
-            None => name,
+            Some(d) if is_key(d) => format!("<a href=\"{d}/audit.json\">{name}</a>"),
+            _ => name,
         };
         let _ = writeln!(
             out,

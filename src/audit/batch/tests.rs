@@ -62,8 +62,14 @@ fn manifests_name_every_file_and_refuse_what_they_do_not_know() {
     assert_eq!(manifest.items[0].name, "x.off y.off");
     assert_eq!(manifest.items[0].files, ["/data/x.off", "/y.off"].map(std::path::PathBuf::from));
     assert_eq!((manifest.items[1].kind, manifest.items[1].name.as_str()), (Kind::Cage, "c"));
-    for wrong in ["[[pair]]\na = 'x'\n", "[[pair]]\na = 'x'\nb = 'y'\nshel = 'z'\n", "pair = 3", "[[pear]]\n"]
-    {
+    for wrong in [
+        "[[pair]]\na = 'x'\n",
+        "[[pair]]\na = 'x'\nb = 'y'\nshel = 'z'\n",
+        "pair = 3",
+        "[[pear]]\n",
+        "",
+        "# none",
+    ] {
         assert!(Manifest::parse(wrong, Path::new("")).is_err(), "{wrong}");
     }
 }
@@ -96,6 +102,34 @@ fn merging_keeps_each_result_once_and_refuses_contradictions() {
     let merged = merge(lines).unwrap();
     assert_eq!(merged.iter().map(|l| l.verdict.as_str()).collect::<Vec<_>>(), ["bijective", "nested"]);
     assert!(merge([line("a", "bijective"), line("a", "not certified")]).is_err());
+}
+
+#[test]
+fn a_result_takes_the_place_of_the_error_of_a_file_that_was_missing() {
+    let named = |key: &str, verdict: &str| ResultLine { name: "p".to_owned(), ..line(key, verdict) };
+    let other = ResultLine { files: vec!["c".to_owned(), "b".to_owned()], ..named("k3", "error") };
+    let merged = merge([named("k1", "error"), named("k2", "bijective"), other]).unwrap();
+    assert_eq!(merged.iter().map(|l| l.key.as_str()).collect::<Vec<_>>(), ["k2", "k3"]);
+}
+
+#[test]
+fn pairs_with_equal_content_and_other_names_have_other_keys() {
+    let key = |name: &str| {
+        let text = format!("[[pair]]\nname = '{name}'\na = 'x'\nb = 'y'\n");
+        let manifest = Manifest::parse(&text, Path::new("")).unwrap();
+        manifest.items[0].key(&[b"x".to_vec(), b"y".to_vec()], &crate::audit::AuditOptions::default())
+    };
+    assert_eq!(key("one"), key("one"));
+    assert_ne!(key("one"), key("two"));
+}
+
+#[test]
+fn summaries_link_to_nothing_but_directories_of_results() {
+    let to = |d: &str| html(&[ResultLine { directory: Some(d.to_owned()), ..line("a", "bijective") }]);
+    assert!(to("00ff").contains("<a href=\"00ff/audit.json\">"));
+    for hostile in ["javascript:alert(1)//", "../x", "//host"] {
+        assert!(!to(hostile).contains("<a "), "{hostile}");
+    }
 }
 
 #[test]
