@@ -16,6 +16,9 @@ pub(crate) const REPEATS: u32 = 4;
 /// How often room is made for a partner that is still violated at the end.
 const RELIEFS: u32 = 12;
 
+/// So many edges are few in any shell.
+const FEW: usize = 200;
+
 /// How many operations were made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
@@ -58,7 +61,7 @@ pub(crate) enum Phase {
 impl Phase {
     /// The end, or another round of making room for the partner.
     fn last(work: &Work<'_>, rounds: u32) -> Self {
-        if rounds < RELIEFS && work.violates_partner() { Self::Relieve(rounds) } else { Self::Done }
+        if rounds < RELIEFS && work.lacks_little_room() { Self::Relieve(rounds) } else { Self::Done }
     }
 
     /// In words, for a progress bar.
@@ -227,6 +230,12 @@ impl Work<'_> {
         let mut edges = self.state.edges();
         edges.retain(|&edge| repair::is_wanted(&self.state, partner, edge));
         edges
+    }
+
+    /// Is the partner violated, but in few places? Where it is everywhere, splits would only multiply prisms.
+    fn lacks_little_room(&self) -> bool {
+        let narrow = self.narrow_edges().len();
+        narrow > 0 && narrow <= FEW.max(self.state.live / 10)
     }
 
     fn violates_partner(&self) -> bool {
