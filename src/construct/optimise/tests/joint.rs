@@ -1,6 +1,7 @@
 //! Joint shells: valid around their mesh whatever the partner.
 
 use super::*;
+use crate::construct::Thickness;
 use crate::construct::optimise::optimise_joint;
 use crate::construct::optimise::partner::Partner;
 
@@ -22,17 +23,19 @@ fn violation(shell: &Shell, partner: &TriMesh) -> f64 {
 }
 
 #[test]
-fn the_mesh_stays_a_section_and_the_partner_becomes_more_of_one() {
+fn the_mesh_stays_a_section_and_the_partner_becomes_one() {
     for seed in [41, 42] {
         let mesh = bumpy(2, &mut Random(seed));
         let partner = turned(&bumpy(2, &mut Random(seed + 10)), 0.5);
-        let first = initial(&mesh, &InitialOptions::default(), &Silent).unwrap().shell;
+        // Too thin for the partner, which the optimisation may change.
+        let thin = InitialOptions { thickness: Thickness::Share(0.005), ..InitialOptions::default() };
+        let first = initial(&mesh, &thin, &Silent).unwrap().shell;
         let before = violation(&first, &partner);
         assert!(before > 0.0, "seed {seed}: nothing to repair");
         let options = OptimiseOptions { polish: 1, ..OptimiseOptions::default() };
         let done = optimise_joint(&mesh, &partner, &first, &options, &Silent).unwrap();
         assert_eq!(refuted(&done.shell, &mesh), Vec::<String>::new(), "seed {seed}");
-        assert!(violation(&done.shell, &partner) < 0.5 * before, "seed {seed}");
+        assert_eq!(refuted(&done.shell, &partner), Vec::<String>::new(), "seed {seed}");
     }
 }
 
