@@ -6,11 +6,16 @@ use rstar::{AABB, RTree};
 
 use crate::shell::{Layer, Shell};
 
-/// The largest absolute value of a coordinate, or one: in this unit squares and products of coordinates neither
-/// overflow nor vanish.
+/// A power of two near the largest absolute value of a coordinate, or one: in this unit squares and products of
+/// coordinates neither overflow nor vanish, and scaling to it rounds nothing in the normal range.
 pub(crate) fn unit<'a>(points: impl Iterator<Item = &'a [f64; 3]>) -> f64 {
     let largest = points.flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
-    if largest > 0.0 { largest } else { 1.0 }
+    if largest > 0.0 {
+        // Without its mantissa; of a subnormal number nothing would be left.
+        f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE)
+    } else {
+        1.0
+    }
 }
 
 /// Bottom and top triangles, to be searched.

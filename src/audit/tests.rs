@@ -21,11 +21,22 @@ fn run(a: &TriMesh, b: &TriMesh, shell: Option<&Shell>) -> Audit {
     audit(&[subject("A", a), subject("B", b)], shell, &options, &Silent).unwrap()
 }
 
-/// A shell of radial pillars around the unit icosphere.
-fn radial(level: u32) -> Shell {
-    let middle = icosphere(level);
+/// A shell of pillars around a mesh that point away from the origin, bottom and top at these multiples of it.
+fn away(middle: TriMesh, [bottom, top]: [f64; 2]) -> Shell {
     let layer = |s: f64| middle.vertices.iter().map(|p| p.map(|x| x * s)).collect();
-    Shell { bottom: layer(0.8), middle: middle.vertices.clone(), top: layer(1.25), faces: middle.faces }
+    Shell { bottom: layer(bottom), top: layer(top), middle: middle.vertices, faces: middle.faces }
+}
+
+fn radial(level: u32) -> Shell {
+    away(icosphere(level), [0.8, 1.25])
+}
+
+/// Distances from it along the axes are exact in doubles.
+fn octahedron() -> TriMesh {
+    let axis =
+        |i: usize| std::array::from_fn(|k| if k == i % 3 { if i < 3 { 1.0 } else { -1.0 } } else { 0.0 });
+    let faces = vec![[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];
+    TriMesh { vertices: (0..6).map(axis).collect(), faces }
 }
 
 fn torus(n: u32) -> TriMesh {
@@ -134,35 +145,35 @@ fn a_vertex_pulled_through_is_not_certified_and_the_fold_is_shown() {
 
 #[test]
 fn a_sphere_outside_covers_nothing_and_is_as_far_away_as_it_is() {
-    let mut large = icosphere(1);
+    let mut large = octahedron();
     large.vertices.iter_mut().for_each(|p| *p = p.map(|x| 4.0 * x));
-    let out = run(&icosphere(1), &large, Some(&radial(1)));
+    let out = run(&octahedron(), &large, Some(&away(octahedron(), [0.75, 1.25])));
     let found = survey(&out);
     assert_eq!(kinds(found), [ViolationKind::Outside, ViolationKind::NotCovered]);
     // All triangles, wholly; all prisms, wholly; each kind in one piece.
     assert_eq!(found.regions.len(), 2);
-    assert_eq!((found.regions[0].triangles.len(), found.regions[1].prisms.len()), (80, 80));
+    assert_eq!((found.regions[0].triangles.len(), found.regions[1].prisms.len()), (8, 8));
     assert!(found.violations.iter().all(|v| v.share == Some(1.0)));
-    assert!((found.largest_distance_outside.unwrap() - (4.0 - 1.25)).abs() < 1e-9);
+    assert_eq!(found.largest_distance_outside.map(f64::to_bits), Some((4.0_f64 - 1.25).to_bits()));
     assert_eq!((found.clean_triangles, found.clean_area_share.to_bits()), (0, 0));
 }
 
 #[test]
 fn the_part_outside_is_exact() {
     // One spike: its tip is outside, so a share of each triangle at it.
-    let mut spike = icosphere(1);
+    let mut spike = octahedron();
     spike.vertices[0] = spike.vertices[0].map(|x| 2.0 * x);
-    let out = run(&icosphere(1), &spike, Some(&radial(1)));
+    let out = run(&octahedron(), &spike, Some(&away(octahedron(), [0.75, 1.25])));
     let found = survey(&out);
     let outside: Vec<_> = found.violations.iter().filter(|v| v.kind == ViolationKind::Outside).collect();
-    assert_eq!(outside.len(), 5);
+    assert_eq!(outside.len(), 4);
     for v in outside {
         assert!(v.share.unwrap() > 0.0 && v.share.unwrap() < 1.0);
-        // The witness is a point of no tet: beyond radius 1.25, which holds the whole shell.
-        let r2: f64 = v.point.approximate.iter().map(|x| x * x).sum();
-        assert!(r2 > 1.0);
+        // The witness is a point of no tet: beyond the top, whose coordinates have absolute sum 5/4.
+        let sum: f64 = v.point.approximate.iter().map(|x| x.abs()).sum();
+        assert!(sum > 1.25, "{sum}");
     }
-    assert!((found.largest_distance_outside.unwrap() - 0.75).abs() < 1e-9);
+    assert_eq!(found.largest_distance_outside.map(f64::to_bits), Some(0.75_f64.to_bits()));
 }
 
 #[test]
