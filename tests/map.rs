@@ -74,7 +74,10 @@ fn correspondences_and_embedding() {
         std::fs::write(&places, format!("0 1 0 0\n0 0 1 0\n0 0 0 2\n{last}\n")).unwrap();
         homeo(&["map", "--correspondence", &places, &mesh, &mesh])
     };
-    assert_eq!(code(&map("1 0 0 1/3")), 0);
+    let fits = map("1 0 0 1/3");
+    assert_eq!(code(&fits), 0);
+    // Nothing is called certified that no checker can be asked about.
+    assert!(stdout(&fits).starts_with("map by correspondence: homeomorphism\n"), "{}", stdout(&fits));
     assert_eq!(code(&map("0 0 1 0")), 1);
     let bent = map("0 0 1 1");
     assert_eq!(code(&bent), 1, "{}", stderr(&bent));
