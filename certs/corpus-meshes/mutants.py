@@ -2,7 +2,7 @@
 import hashlib
 import re
 
-from controls import FAN, SQUARE, annulus, cone, octahedron, solid_torus, square, tetra, torus
+from controls import SQUARE, annulus, cone, octahedron, solid_torus, square, tetra, torus
 from corpus_files import BIG, about
 from make import Mesh, Q, after, crossed, drop, swap
 
