@@ -7,6 +7,7 @@ use crate::certify::Silent;
 use crate::construct::icosphere;
 use crate::mesh::TriMesh;
 use crate::shell::Shell;
+use crate::testing::torus;
 
 fn subject<'a>(name: &'static str, mesh: &'a TriMesh) -> Subject<'a> {
     Subject { name, file: format!("{name}.off"), mesh }
@@ -26,19 +27,6 @@ fn radial(level: u32) -> Shell {
     let middle = icosphere(level);
     let layer = |s: f64| middle.vertices.iter().map(|p| p.map(|x| x * s)).collect();
     Shell { bottom: layer(0.8), middle: middle.vertices.clone(), top: layer(1.25), faces: middle.faces }
-}
-
-fn torus(n: u32) -> TriMesh {
-    let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
-    let at = |i: u32, j: u32| (i % n) * n + j % n;
-    let mut mesh = TriMesh::default();
-    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
-        let r = 3.0 + angle(j).cos();
-        mesh.vertices.push([r * angle(i).cos(), r * angle(i).sin(), angle(j).sin()]);
-        mesh.faces.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-        mesh.faces.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
-    }
-    mesh
 }
 
 fn survey(audit: &Audit) -> &SurveyReport {
