@@ -3,11 +3,12 @@
 
 It follows certs/FORMAT.md, version 1, whose sections are cited, and needs only the standard library. All coordinates
 are multiplied by one common power of two: every decision is made on Python integers. certificate.py reads the
-certificate and says what a *tag* is; inputs.py reads the input files.
+certificate and says what a *tag* is; inputs.py reads the input files; answer.py words the answer.
 """
-import collections, hashlib, itertools, math, os, struct, sys
+import collections, functools, hashlib, itertools, math, struct
+from answer import answer, certificate_bytes, main
 from certificate import CLAIMS, Certificate, Stop, distinct, need
-from inputs import WRONG, read_file, read_inputs
+from inputs import WRONG, read_inputs
 
 chain = itertools.chain.from_iterable
 
@@ -380,21 +381,10 @@ def check_claims(case, cert):
         if name in blocks: check_contacts(case, name, blocks[name], certified(name))
     if certified("disjoint-prisms"): check_prisms(case, S, blocks["disjoint-prisms"])
     elif "disjoint-prisms" in blocks: check_overlap(case, S, *blocks["disjoint-prisms"])
-def run(paths):  # the exit code and the text to print
-    try:
-        try: data = read_file(paths[0])
-        except OverflowError: raise Stop("limit", "size", "") from None
-        except (IndexError, OSError, ValueError): raise Stop("malformed", "usage", "check.py CERT INPUT...") from None
-        cert = Certificate(data)
-        check_claims(bind(cert, *sound_inputs(paths[1:], cert.mesh is not None)), cert)
-        return 0, "\n".join(["valid"] + [f"{name} {verdict}" for name, verdict in cert.claims.items()])
-    except Stop as stop:
-        kind, code, why = stop.args
-        return ["", "invalid", "malformed", "limit"].index(kind), f"{kind} {code}" + (why and f" : {why}")
-    except Exception as error:  # a last resort: never an answer, never `valid`
-        return 3, f"limit internal : {type(error).__name__}"
+def judge(paths):
+    cert = Certificate(certificate_bytes(paths, "check.py CERT INPUT..."))
+    check_claims(bind(cert, *sound_inputs(paths[1:], cert.mesh is not None)), cert)
+    return "\n".join(["valid"] + [f"{name} {verdict}" for name, verdict in cert.claims.items()])
+run = functools.partial(answer, judge)  # the exit code and the text to print
 
-if __name__ == "__main__":
-    status, answer = run(sys.argv[1:])
-    try: print(answer, flush=True)
-    finally: os._exit(status)  # a closed pipe must not change the exit code
+if __name__ == "__main__": main(run)

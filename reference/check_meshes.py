@@ -4,13 +4,14 @@
 It follows certs/MESHES.md, version 1, whose sections are cited, and needs only the standard library. Coordinates are
 multiplied by one common denominator if it is not too long: decisions are made on integers, else on fractions.
 """
-import collections, functools, hashlib, itertools, math, os, re, sys
+import collections, functools, hashlib, itertools, math, re
 from fractions import Fraction
+from answer import answer, certificate_bytes, main
+from certificate import DIGITS, ascending
 from check import Stop, box, chain, cross, det3, dot, meet, meeting, mix, need, plane, sub
 from inputs import WRONG, read_file, read_mesh
 
-DIGITS, EXPONENTS, LINES = 4000, 2 ** 33, 1000
-ascending = lambda items: all(a < b for a, b in zip(items, items[1:]))
+EXPONENTS, LINES = 2 ** 33, 1000
 
 # ---- section 1: words
 FACETS = {3: ((1, 2), (2, 0), (0, 1)), 4: ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))}
@@ -434,24 +435,13 @@ def bind(cert, paths):
     need(cert.claim != "pl-homeomorphism" or case["a"].cells == case["b"].cells, "cells")
     scale(case.values())
     return case
-def run(paths):  # the exit code and the text to print
-    try:
-        try: data = read_file(paths[0])
-        except OverflowError: raise Stop("limit", "size", "") from None
-        except (IndexError, OSError, ValueError): raise Stop("malformed", "usage", "check_meshes.py CERT A [B]") from None
-        cert = Certificate(data)
-        case = bind(cert, paths[1:])
-        if cert.claim in ("same-topology", "nested-topology"): check_topology(case, cert.claim, cert.certified)
-        elif cert.certified: check_certified(case, cert.claim, cert.blocks)
-        for fact in cert.blocks.get("witness", ()): need(check_fact(case, *fact), "not-refuted", fact[0])
-        return 0, f"valid\n{cert.claim} {('refuted', 'certified')[cert.certified]}"
-    except Stop as stop:
-        kind, code, why = stop.args
-        return ["", "invalid", "malformed", "limit"].index(kind), f"{kind} {code}" + (why and f" : {why}")
-    except Exception as error:  # a last resort: never an answer, never `valid`
-        return 3, f"limit internal : {type(error).__name__}"
+def judge(paths):
+    cert = Certificate(certificate_bytes(paths, "check_meshes.py CERT A [B]"))
+    case = bind(cert, paths[1:])
+    if cert.claim in ("same-topology", "nested-topology"): check_topology(case, cert.claim, cert.certified)
+    elif cert.certified: check_certified(case, cert.claim, cert.blocks)
+    for fact in cert.blocks.get("witness", ()): need(check_fact(case, *fact), "not-refuted", fact[0])
+    return f"valid\n{cert.claim} {('refuted', 'certified')[cert.certified]}"
+run = functools.partial(answer, judge)  # the exit code and the text to print
 
-if __name__ == "__main__":
-    status, answer = run(sys.argv[1:])
-    try: print(answer, flush=True)
-    finally: os._exit(status)  # a closed pipe must not change the exit code
+if __name__ == "__main__": main(run)

@@ -67,4 +67,6 @@ pub mod predicate;
 pub mod projection;
 pub mod report;
 pub mod shell;
+#[cfg(test)]
+mod testing;
 pub mod transfer;

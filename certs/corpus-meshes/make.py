@@ -14,7 +14,10 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-EXIT = {"valid": 0, "invalid": 1, "malformed": 2, "limit": 3}
+sys.path.insert(0, str(HERE.parent))
+
+from corpus_files import EXIT, HEAD, Misfit, recount, stored, swap, write  # noqa: E402  the path is set above
+
 Q = fractions.Fraction
 
 
@@ -193,37 +196,12 @@ def certificate(claim, verdict, meshes, blocks):
 
 
 # ------------------------------------------------- files and table
-class Misfit(Exception):
-    """An edit that does not fit its control any more."""
-
-
-def swap(old, new):
-    """Replaces the one place where `old` stands."""
-    def edit(text):
-        if text.count(old) != 1:
-            raise Misfit(f"{old!r} stands {text.count(old)} times")
-        return text.replace(old, new)
-    return edit
-
-
 def drop(old):
     return swap(old + "\n", "")
 
 
 def after(old, new):
     return swap(f"{old}\n", f"{old}\n{new}\n")
-
-
-def recount(text):
-    counts = []
-    for line in text.split("\n"):
-        if line.startswith("begin "):
-            counts.append(0)
-        elif counts and not line.startswith("counts"):
-            counts[-1] += 1
-        elif counts:
-            break
-    return re.sub("^counts.*$", " ".join(["counts", *map(str, counts)]), text, flags=re.M)
 
 
 class Corpus:
@@ -274,26 +252,12 @@ def generated():
     corpus = Corpus()
     controls.add_all(corpus)
     mutants.add_all(corpus)
-    table = ["control\tmutant\tinputs\texit\tcode\twhat"] + ["\t".join(row) for row in sorted(corpus.rows)]
+    table = [HEAD] + ["\t".join(row) for row in sorted(corpus.rows)]
     return {name: text.encode("latin-1") for name, text in {**corpus.files, "table.tsv": "\n".join(table) + "\n"}.items()}
 
 
 def main():
-    new = generated()
-    old = {str(p.relative_to(HERE)): p for p in HERE.glob("*/*") if p.parent.name != "__pycache__"}
-    old.update({"table.tsv": HERE / "table.tsv"} if (HERE / "table.tsv").exists() else {})
-    stale = sorted(old.keys() - new.keys())
-    changed = sorted(name for name in new if name not in old or old[name].read_bytes() != new[name])
-    if "--check" in sys.argv[1:]:
-        if stale or changed:
-            raise SystemExit(f"not generated: {stale}; to write again: {changed}")
-        return
-    for name in stale:
-        old[name].unlink()
-    for name in changed:
-        (HERE / name).parent.mkdir(exist_ok=True)
-        (HERE / name).write_bytes(new[name])
-    print(f"{len(new['table.tsv'].splitlines()) - 1} rows, {len(changed)} files written, {len(stale)} removed")
+    write(HERE, "table.tsv", generated(), stored(HERE, "table.tsv"))
 
 
 if __name__ == "__main__":

@@ -2,10 +2,9 @@
 import hashlib
 import re
 
-from controls import FAN, SQUARE, annulus, cone, octahedron, solid_torus, square, tetra, torus
+from controls import SQUARE, annulus, cone, octahedron, solid_torus, square, tetra, torus
+from corpus_files import BIG, about
 from make import Mesh, Q, after, crossed, drop, swap
-
-BIG = "9" * 4001
 
 
 def add_all(corpus):
@@ -32,8 +31,7 @@ def first(pattern, new):
 
 
 def form(corpus):
-    def m(name, answer, what, *edits, control="nested-tetrahedra", facts=False):
-        corpus.mutant(control, name, answer, what, *edits, facts=facts)
+    m = about(corpus.mutant, "nested-tetrahedra", facts=False)
 
     m("empty", "malformed truncated", "an empty file", lambda t: "")
     m("cut", "malformed truncated", "the last bytes are missing", lambda t: t[:-9])
@@ -65,8 +63,7 @@ def form(corpus):
 
 
 def claims(corpus):
-    def m(control, name, answer, what, *edits, **more):
-        corpus.mutant(control, name, answer, what, *edits, **more)
+    m = corpus.mutant
 
     m("genus", "certified", "malformed claims", "nested-topology cannot be certified", swap("refuted", "certified"))
     m("genus", "claims-before-input", "malformed claims", "a claim that does not exist, before a bad input line",
@@ -116,8 +113,7 @@ def claims(corpus):
 
 
 def numbers(corpus):
-    def m(control, name, answer, what, *edits, **more):
-        corpus.mutant(control, name, answer, what, *edits, **more)
+    m = corpus.mutant
 
     cross = "cross ab 0 0 1 0 0 1 1 1"
     m("nested-touching", "digits", "limit digits", "a weight of 4001 digits", swap(cross, f"cross ab 0 0 {BIG} 0 0 1 1 1"))
@@ -203,8 +199,7 @@ def lines(corpus):
 
 
 def inputs(corpus):
-    def m(name, answer, what, control="nested-tetrahedra", **more):
-        corpus.mutant(control, name, answer, what, **more)
+    m = about(corpus.mutant, "nested-tetrahedra")
 
     m("no-inputs", "malformed input", "no input file", inputs=[])
     m("one-file", "malformed input", "one file in place of two", inputs=["a.off"])
@@ -331,8 +326,7 @@ def conditions(corpus):
 
 
 def planes(corpus):
-    def m(name, answer, what, *edits, control="nested-torus", **more):
-        corpus.mutant(control, name, answer, what, *edits, **more)
+    m = about(corpus.mutant, "nested-torus")
 
     sep = "sep 0 1 l:b0,b4"
     m("missing", "invalid missing-separation", "a pair without its line", drop(sep))
@@ -365,8 +359,7 @@ def line(mesh, vertex, d, other):
 
 
 def rays(corpus):
-    def m(name, answer, what, *edits, control="nested-tetrahedra"):
-        corpus.mutant(control, name, answer, what, *edits)
+    m = about(corpus.mutant, "nested-tetrahedra")
 
     ray = "ray a 3 7 2 4 1"
     m("ray-missing-triangle", "invalid ray", "a triangle that is met is not listed", swap(ray, "ray a 3 7 2 4"))
@@ -396,8 +389,7 @@ def rays(corpus):
 
 
 def positions(corpus):
-    def m(name, answer, what, *edits, control="map-annulus", **more):
-        corpus.mutant(control, name, answer, what, *edits, **more)
+    m = about(corpus.mutant, "map-annulus")
 
     bare = swap("begin witness", "begin a\nbegin b")
     m("inner-folded", "invalid sign", "the inner square turned by half a turn", b=Mesh(annulus(3, -1).points, annulus(3, 1).cells))

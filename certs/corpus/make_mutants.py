@@ -13,28 +13,19 @@ import struct
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+
+import corpus_files  # noqa: E402  the path is set above
+from corpus_files import EXIT, HEAD, Misfit, recount, swap  # noqa: E402
+
 INPUTS = ["bottom", "middle", "top", "mesh"]
-EXIT = {"valid": 0, "invalid": 1, "malformed": 2, "limit": 3}
-
-
-class Misfit(Exception):
-    """An edit that does not fit its control any more."""
 
 
 # ------------------------------------------------- edits of text; each is a function from text to text
-def swap_text(old, new):
-    """Replaces the one place where `old` stands."""
-    def edit(text):
-        if text.count(old) != 1:
-            raise Misfit(f"{old!r} stands {text.count(old)} times")
-        return text.replace(old, new)
-    return edit
-
-
 def lines(old, new):
     """Replaces the one run of whole lines `old`; an empty `new` drops them."""
     end = new + "\n" if new else ""
-    return lambda text: swap_text(f"\n{old}\n", "\n" + end)(text) if text.count(f"\n{old}\n") else first(old, end)(text)
+    return lambda text: swap(f"\n{old}\n", "\n" + end)(text) if text.count(f"\n{old}\n") else first(old, end)(text)
 
 
 def first(old, end):
@@ -81,19 +72,6 @@ def whole(claims, body):
         stated = "".join(f"claim {c.lstrip('-')} {'refuted' if c[0] == '-' else 'certified'}\n" for c in claims.split())
         return f"homeo-certificate 1\n{stated}{head[0]}{body.strip()}\ncounts\nend\n"
     return edit
-
-
-def recount(text):
-    """States the true number of fact lines of each block."""
-    start, counts = text.index("\npinched "), []
-    for line in text[start:].split("\n"):
-        if line.startswith("begin "):
-            counts.append(0)
-        elif line.startswith("counts"):
-            break
-        elif counts:
-            counts[-1] += 1
-    return re.sub("^counts.*$", " ".join(["counts", *map(str, counts)]), text, flags=re.M)
 
 
 # ------------------------------------------------- inputs
@@ -193,8 +171,7 @@ class Corpus:
         self.rows.append("\t".join([control, mutant, names, str(EXIT[kind]), code or "-", what]))
 
     def table(self):
-        head = "control\tmutant\tinputs\texit\tcode\twhat\n"
-        return head + "".join(row + "\n" for row in sorted(self.rows))
+        return "".join(row + "\n" for row in [HEAD, *sorted(self.rows)])
 
 
 def generated():
@@ -210,26 +187,12 @@ def generated():
 
 
 def stored():
-    found = {str(p.relative_to(HERE)): p for p in HERE.glob("*/*") if p.parent.name != "__pycache__"}
     controls = {"control.cert", *(f"{part}.off" for part in INPUTS)}
-    found = {name: p for name, p in found.items() if p.name not in controls}
-    table = HERE / "mutants.tsv"
-    return {**found, **({"mutants.tsv": table} if table.exists() else {})}
+    return {name: p for name, p in corpus_files.stored(HERE, "mutants.tsv").items() if p.name not in controls}
 
 
 def main():
-    new, old = generated(), stored()
-    stale = sorted(old.keys() - new.keys())
-    changed = sorted(name for name in new if name not in old or old[name].read_bytes() != new[name])
-    if "--check" in sys.argv[1:]:
-        if stale or changed:
-            raise SystemExit(f"not generated: {stale}; to write again: {changed}")
-        return
-    for name in stale:
-        old[name].unlink()
-    for name in changed:
-        (HERE / name).write_bytes(new[name])
-    print(f"{len(new['mutants.tsv'].splitlines()) - 1} rows, {len(changed)} files written, {len(stale)} removed")
+    corpus_files.write(HERE, "mutants.tsv", generated(), stored())
 
 
 if __name__ == "__main__":

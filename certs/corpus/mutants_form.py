@@ -1,7 +1,6 @@
 """Mutants of form: the bytes of the certificate, its grammar, the input files and what binds them."""
-from make_mutants import after, blocks, cut, drop, flip, lines, obj, off, swap_text
-
-BIG = "9" * 4001
+from corpus_files import BIG, about
+from make_mutants import after, blocks, cut, drop, flip, lines, obj, off, swap
 
 
 def add_all(corpus):
@@ -18,8 +17,7 @@ def add_all(corpus):
 
 
 def bytes_and_lines(corpus):
-    def m(name, answer, what, *edits, control="two-components"):
-        corpus.add(control, name, answer, what, *edits)
+    m = about(corpus.add, "two-components")
 
     m("empty", "malformed truncated", "an empty file", lambda t: "")
     m("cut-in-a-line", "malformed truncated", "the last 200 bytes are missing", cut(200))
@@ -31,14 +29,14 @@ def bytes_and_lines(corpus):
     m("two-ends", "malformed syntax", "two end lines", after("end", "end"))
     m("end-in-the-middle", "malformed syntax", "an end line before the counts line", lines("begin i2", "begin i2\nend"))
     m("crlf", "malformed bytes", "lines end in CR LF", lambda t: t.replace("\n", "\r\n"))
-    m("one-cr", "malformed bytes", "one line ends in CR LF", swap_text("order id\n", "order id\r\n"))
-    m("nul", "malformed bytes", "a NUL byte at the end of a line", swap_text("order id\n", "order id\0\n"))
-    m("tab", "malformed bytes", "a tab in place of a space", swap_text("order id", "order\tid"))
-    m("delete-byte", "malformed bytes", "a byte 0x7f", swap_text("order id", "order id\x7f"))
-    m("not-ascii", "malformed bytes", "a byte above 0x7f", swap_text("order id", "order \xefd"))
+    m("one-cr", "malformed bytes", "one line ends in CR LF", swap("order id\n", "order id\r\n"))
+    m("nul", "malformed bytes", "a NUL byte at the end of a line", swap("order id\n", "order id\0\n"))
+    m("tab", "malformed bytes", "a tab in place of a space", swap("order id", "order\tid"))
+    m("delete-byte", "malformed bytes", "a byte 0x7f", swap("order id", "order id\x7f"))
+    m("not-ascii", "malformed bytes", "a byte above 0x7f", swap("order id", "order \xefd"))
     m("byte-order-mark", "malformed bytes", "a byte order mark first", lambda t: "\xef\xbb\xbf" + t)
     m("bytes-before-truncated", "malformed bytes", "a NUL byte, and no end line: bytes come first",
-      swap_text("order id\n", "order id\0\n"), drop("end"))
+      swap("order id\n", "order id\0\n"), drop("end"))
     m("truncated-before-magic", "malformed truncated", "no magic and no end line", drop("homeo-certificate 1"), drop("end"))
     m("version-2", "malformed magic", "another version", lines("homeo-certificate 1", "homeo-certificate 2"))
     m("no-magic", "malformed magic", "the first line is missing", drop("homeo-certificate 1"))
@@ -70,13 +68,12 @@ def claims(corpus):
     for name in ["positivity", "disjoint-mesh", "disjoint-bottom", "disjoint-top"]:
         turn("bad-tet", name, "malformed syntax")
 
-    def m(name, answer, what, *edits):
-        corpus.add("inside", name, answer, what, *edits)
+    m = about(corpus.add, "inside")
 
     m("turn-both-sections", "malformed claims", "section and bijection refuted, section-all-orders certified",
-      swap_text("section certified\nclaim bijection certified", "section refuted\nclaim bijection refuted"))
+      swap("section certified\nclaim bijection certified", "section refuted\nclaim bijection refuted"))
     m("turn-all-orders-and-i2", "malformed syntax", "section-all-orders and i2 refuted without a witness",
-      swap_text("all-orders certified", "all-orders refuted"), swap_text("i2 certified", "i2 refuted"))
+      swap("all-orders certified", "all-orders refuted"), swap("i2 certified", "i2 refuted"))
     m("no-bijection", "malformed claims", "section without bijection", drop("claim bijection certified"))
     m("no-section-claim", "malformed claims", "bijection without section", drop("claim section certified"))
     m("no-positivity", "malformed claims", "section-all-orders without positivity", drop("claim positivity certified"))
@@ -94,24 +91,23 @@ def claims(corpus):
 
 
 def head(corpus):
-    def m(name, answer, what, *edits, control="inside"):
-        corpus.add(control, name, answer, what, *edits)
+    m = about(corpus.add, "inside")
 
     shell, mesh = "3216060", "0afddd6"
     m("hash-upper-case", "malformed syntax", "capital hex digits", lambda t: t.replace(mesh, mesh.upper(), 1))
-    m("hash-short", "malformed syntax", "a hash of 63 digits", swap_text(f"shell {shell}", f"shell {shell[1:]}"))
-    m("hash-of-shell", "invalid hash", "one digit of the shell's hash changed", swap_text(f"shell {shell}", f"shell 4{shell[1:]}"))
-    m("hash-of-mesh", "invalid hash", "one digit of the mesh's hash changed", swap_text(f"mesh {mesh}", f"mesh 1{mesh[1:]}"))
-    m("shell-vertex-count", "invalid hash", "one shell vertex too many", swap_text("dcbd4f 4 2\n", "dcbd4f 5 2\n"))
+    m("hash-short", "malformed syntax", "a hash of 63 digits", swap(f"shell {shell}", f"shell {shell[1:]}"))
+    m("hash-of-shell", "invalid hash", "one digit of the shell's hash changed", swap(f"shell {shell}", f"shell 4{shell[1:]}"))
+    m("hash-of-mesh", "invalid hash", "one digit of the mesh's hash changed", swap(f"mesh {mesh}", f"mesh 1{mesh[1:]}"))
+    m("shell-vertex-count", "invalid hash", "one shell vertex too many", swap("dcbd4f 4 2\n", "dcbd4f 5 2\n"))
     m("shell-giant-counts", "invalid hash", "ten-digit numbers of vertices and prisms",
-      swap_text("dcbd4f 4 2\n", "dcbd4f 9999999999 9999999999\n"))
-    m("shell-too-giant-count", "malformed syntax", "a number of eleven digits", swap_text("dcbd4f 4 2\n", "dcbd4f 99999999999 2\n"))
-    m("mesh-triangle-count", "invalid hash", "one mesh triangle too many", swap_text("1db261 6 6\n", "1db261 6 7\n"))
-    m("mesh-vertex-count-small", "malformed range", "one mesh vertex too few", swap_text("1db261 6 6\n", "1db261 5 6\n"))
-    m("shell-vertex-count-small", "malformed range", "one shell vertex too few", swap_text("dcbd4f 4 2\n", "dcbd4f 3 2\n"))
+      swap("dcbd4f 4 2\n", "dcbd4f 9999999999 9999999999\n"))
+    m("shell-too-giant-count", "malformed syntax", "a number of eleven digits", swap("dcbd4f 4 2\n", "dcbd4f 99999999999 2\n"))
+    m("mesh-triangle-count", "invalid hash", "one mesh triangle too many", swap("1db261 6 6\n", "1db261 6 7\n"))
+    m("mesh-vertex-count-small", "malformed range", "one mesh vertex too few", swap("1db261 6 6\n", "1db261 5 6\n"))
+    m("shell-vertex-count-small", "malformed range", "one shell vertex too few", swap("dcbd4f 4 2\n", "dcbd4f 3 2\n"))
     m("no-mesh-line", "malformed syntax", "the mesh line is missing", lambda t: "".join(l for l in t.splitlines(True) if not l.startswith("mesh ")))
     m("mesh-line-not-due", "malformed syntax", "a mesh line where only positivity is claimed",
-      swap_text("order id", "mesh " + "0" * 64 + " 1 1\norder id"), control="ball-positivity")
+      swap("order id", "mesh " + "0" * 64 + " 1 1\norder id"), control="ball-positivity")
     m("order-unknown", "malformed syntax", "an order that is neither id nor a list", lines("order id", "order random"))
     m("order-empty-list", "malformed syntax", "an empty list", lines("order id", "order list"))
     m("order-of-id-listed", "malformed syntax", "the identity given as a list", lines("order id", "order list 0 1 2 3"))
@@ -138,8 +134,7 @@ def head(corpus):
 
 
 def layout(corpus):
-    def m(name, answer, what, *edits, control="two-components"):
-        corpus.add(control, name, answer, what, *edits)
+    m = about(corpus.add, "two-components")
 
     m("block-order", "malformed syntax", "two blocks swapped",
       lines("begin disjoint-bottom\nbegin disjoint-top", "begin disjoint-top\nbegin disjoint-bottom"))
@@ -148,7 +143,7 @@ def layout(corpus):
     m("block-not-due", "malformed syntax", "a block of a claim that needs none", lines("begin overlay", "begin positivity\nbegin overlay"))
     m("block-unknown", "malformed syntax", "a block of another name", lines("begin i2", "begin i3"))
     m("block-i2-not-due", "malformed syntax", "an i2 block though section-all-orders is refuted",
-      swap_text("counts 4 1 0 0", "begin i2\ncounts 4 1 0 0 0"), control="boundary")
+      swap("counts 4 1 0 0", "begin i2\ncounts 4 1 0 0 0"), control="boundary")
     m("fact-in-other-block", "malformed syntax", "a sep line in the overlay block",
       drop("sep 0 1 l:g0,g2"), after("d middle 6 0", "sep 0 1 l:g0,g2"))
     m("no-counts", "malformed syntax", "the counts line is missing", drop("counts 34 2 0 0 0"))
@@ -165,8 +160,7 @@ def layout(corpus):
 
 
 def numbers(corpus):
-    def m(control, name, answer, what, *edits):
-        corpus.add(control, name, answer, what, *edits)
+    m = corpus.add
 
     cross = "cross 0 0 2 3 2 2 3 2"
     m("cap", "weight-giant", "limit digits", "a weight of 4001 digits", lines(cross, f"cross 0 0 {BIG} 3 2 2 3 2"))
@@ -197,8 +191,7 @@ def numbers(corpus):
 
 
 def facts(corpus):
-    def m(name, answer, what, *edits, control="two-components"):
-        corpus.add(control, name, answer, what, *edits)
+    m = about(corpus.add, "two-components")
 
     v, c, sep = "v 1,2 m1,t2", "c 0 1 2", "sep 0 1 l:g0,g2"
     m("names-unsorted", "malformed syntax", "names not ascending", lines(v, "v 1,2 t2,m1"))
@@ -233,8 +226,7 @@ def facts(corpus):
 
 
 def witnesses(corpus):
-    def m(control, name, answer, what, *edits):
-        corpus.add(control, name, answer, what, *edits)
+    m = corpus.add
 
     m("boundary", "no-leg", "malformed syntax", "a branch without a leg", drop("start m0,m1,m2,t2"))
     m("boundary", "no-reason", "malformed syntax", "a branch without a reason", drop("boundary"))
@@ -292,12 +284,11 @@ def ranges(corpus):
 
 
 def inputs(corpus):
-    def m(name, answer, what, *edits, control="inside", bound=False, **more):
-        corpus.add(control, name, answer, what, *edits, bound=bound, **more)
+    m = about(corpus.add, "inside", bound=False)
 
     for part in ("bottom", "middle", "top", "mesh"):
         m(f"bit-in-{part}", "invalid hash", f"the lowest bit of a coordinate of {part}.off flipped", files={part: flip(1)})
-    m("minus-zero", "invalid hash", "0.0 written as -0.0", files={"mesh": swap_text("0.0 0.0 0.25", "0.0 -0.0 0.25")})
+    m("minus-zero", "invalid hash", "0.0 written as -0.0", files={"mesh": swap("0.0 0.0 0.25", "0.0 -0.0 0.25")})
     m("corners-turned", "invalid hash", "the corners of a triangle in another order", files={"mesh": lines("3 0 1 4", "3 1 4 0")})
     m("triangles-swapped", "invalid hash", "two triangles swapped",
       files={"mesh": lines("3 0 1 4\n3 1 2 4", "3 1 2 4\n3 0 1 4")})
@@ -317,14 +308,14 @@ def inputs(corpus):
     for name, what, edit in [
             ("empty-input", "an empty file", lambda t: ""),
             ("cut-input", "the last face is cut", cut(3)),
-            ("input-not-a-number", "a coordinate nan", swap_text("2.0 1.0 0.5", "nan 1.0 0.5")),
-            ("input-infinite", "a coordinate beyond the largest double", swap_text("2.0 1.0 0.5", "1e309 1.0 0.5")),
-            ("input-hexadecimal", "a coordinate in base 16", swap_text("2.0 1.0 0.5", "0x2 1.0 0.5")),
+            ("input-not-a-number", "a coordinate nan", swap("2.0 1.0 0.5", "nan 1.0 0.5")),
+            ("input-infinite", "a coordinate beyond the largest double", swap("2.0 1.0 0.5", "1e309 1.0 0.5")),
+            ("input-hexadecimal", "a coordinate in base 16", swap("2.0 1.0 0.5", "0x2 1.0 0.5")),
             ("input-index", "an index out of range", lines("3 0 1 4", "3 0 1 6")),
             ("input-quad", "a face with four corners", lines("3 0 1 4", "4 0 1 4 2")),
             ("input-giant", "2^40 vertices", lines("6 6 0", "1099511627776 6 0")),
             ("input-giant-faces", "almost 10^10 faces", lines("6 6 0", "6 9999999999 0")),
-            ("input-binary", "a NUL byte in a number", swap_text("2.0 1.0 0.5", "2.0\0 1.0 0.5")),
+            ("input-binary", "a NUL byte in a number", swap("2.0 1.0 0.5", "2.0\0 1.0 0.5")),
             ("input-magic", "a word that only begins with OFF", lines("OFF", "OFFSET"))]:
         m(name, "malformed input", what, files={"mesh": edit})
     m("faces-differ", "malformed input", "the bottom has other triangles than the middle",
@@ -337,8 +328,7 @@ def inputs(corpus):
 
 
 def conditions(corpus):
-    def m(control, name, answer, what, *edits, **more):
-        corpus.add(control, name, answer, what, *edits, **more)
+    m = corpus.add
 
     def layers(edit):
         return {"bottom": edit, "middle": edit, "top": edit}
@@ -358,7 +348,7 @@ def conditions(corpus):
     m(i, "glued-in-same-direction", q, "an edge of the mesh used twice in the same direction", files={"mesh": lines("3 3 0 5", "3 0 3 5")})
     m(i, "mesh-corner-twice", q, "a mesh triangle with a repeated vertex", files={"mesh": lines("3 3 0 5", "3 3 0 0")})
     m(i, "no-triangle", q, "a mesh without triangles", files={"mesh": lambda t: t.replace("6 6 0", "6 0 0")[:t.index("3 0 1 4")]})
-    m(i, "triangle-of-zero-area", q, "a mesh triangle of area exactly 0", files={"mesh": swap_text("2.0 1.0 0.5", "2.0 0.0 0.25")})
+    m(i, "triangle-of-zero-area", q, "a mesh triangle of area exactly 0", files={"mesh": swap("2.0 1.0 0.5", "2.0 0.0 0.25")})
     m("two-components", "mesh-bow-tie", q, "two fans of triangles that share one vertex",
       files={"mesh": lambda t: lines("3 4 5 6\n3 4 6 7", "3 0 5 6\n3 0 6 7")(t)})
     m("two-components", "three-triangles-on-an-edge", q, "three triangles on an edge", files={"mesh": lines("3 4 5 6", "3 0 2 6")})

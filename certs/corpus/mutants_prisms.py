@@ -1,12 +1,13 @@
 """Mutants of `disjoint-prisms`: FORMAT.md 3.7, and what sections 2 and 3 say about its lines."""
-from make_mutants import after, blocks, drop, lines, swap_text
+import functools
+
+from make_mutants import after, blocks, drop, lines, swap
 
 REFUTED, CERTIFIED = "claim disjoint-prisms refuted", "claim disjoint-prisms certified"
 
 
 def add_all(corpus):
-    def m(control, name, answer, what, *edits, **more):
-        corpus.add(control, name, answer, what, *edits, facts=True, **more)
+    m = functools.partial(corpus.add, facts=True)
 
     for part in (separations, parts, overlaps, flat, alone):
         part(m)
@@ -50,7 +51,7 @@ def separations(m):
 def parts(m):
     """What is apart may still lie in another tet."""
     inner = "1.0 0.5 {0}\n3.0 1.0 {0}\n3.0 3.0 {0}\n1.0 3.0 {0}"
-    lowered = {part: swap_text(inner.format(high), inner.format(high - 0.75))
+    lowered = {part: swap(inner.format(high), inner.format(high - 0.75))
                for part, high in (("bottom", 1.125), ("middle", 1.25), ("top", 1.375))}
     m("patches", "one-in-the-other", "invalid overlap", "the same planes, but one part lies in a tet of the other", files=lowered)
     m("lenses-crossed", "claimed", "invalid overlap", "no two sheets meet but in the pinched rim, and the lenses overlap", turned(""))
@@ -99,9 +100,9 @@ def alone(m):
     """The claim needs no mesh and no other claim, and comes last."""
     sha = "0" * 64
     m("prisms", "mesh-line", "malformed syntax", "a mesh line that no claim needs",
-      swap_text("\norder id\n", f"\nmesh {sha} 9 8\norder id\n"))
+      swap("\norder id\n", f"\nmesh {sha} 9 8\norder id\n"))
     m("lenses", "with-positivity", "invalid not-positive", "the wall of the rim between the lenses is no tet",
-      lines(CERTIFIED, "claim positivity certified\n" + CERTIFIED), files={"top": swap_text("0.0 0.0 -0.5", "0.0 0.0 0.5")})
+      lines(CERTIFIED, "claim positivity certified\n" + CERTIFIED), files={"top": swap("0.0 0.0 -0.5", "0.0 0.0 0.5")})
     m("lenses", "positivity-first", "valid", "two claims without a mesh", lines(CERTIFIED, "claim positivity certified\n" + CERTIFIED))
     m("lenses", "positivity-last", "malformed syntax", "claims not in their order", lines(CERTIFIED, CERTIFIED + "\nclaim positivity certified"))
     m("lenses", "claim-twice", "malformed syntax", "the claim twice", lines(CERTIFIED, CERTIFIED + "\n" + CERTIFIED))

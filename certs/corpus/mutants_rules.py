@@ -1,7 +1,8 @@
 """Mutants of the rules: FORMAT.md 3.1 to 3.6. Counts and hashes are right again after each edit, so only the rule fails."""
+import functools
 import re
 
-from make_mutants import after, blocks, drop, lines, off, swap_text, whole
+from make_mutants import after, blocks, drop, lines, off, swap, whole
 
 SQUARE = "0 1 2/0 2 3"
 # Claims of certificates given whole.
@@ -11,8 +12,7 @@ EVERYTHING = ALL_ORDERS + " disjoint-mesh disjoint-bottom disjoint-top i2"
 
 
 def add_all(corpus):
-    def m(control, name, answer, what, *edits, **more):
-        corpus.add(control, name, answer, what, *edits, facts=True, **more)
+    m = functools.partial(corpus.add, facts=True)
 
     for part in (positivity, carriers, cells, hand_made_overlays, double_cover, degrees, topology, roots, steps, stars,
                  reasons, separation, separation_from_layers, crossings, contacts, separation_from_tets, harmless):
@@ -31,10 +31,10 @@ def positivity(m):
     def refuted(control, name, answer, what, old, new):
         m(control, name, answer, what, lines(old, new))
 
-    flat = {"top": swap_text("4.0 0.0 1.0", "4.0 0.0 0.0")}
+    flat = {"top": swap("4.0 0.0 1.0", "4.0 0.0 0.0")}
     m("inside", "volume-zero", "invalid not-positive", "a pillar of length 0: volumes of exactly 0", files=flat)
     m("inside", "volume-negative", "invalid not-positive", "a pillar that points down",
-      files={"top": swap_text("4.0 0.0 1.0", "4.0 0.0 -0.5")})
+      files={"top": swap("4.0 0.0 1.0", "4.0 0.0 -0.5")})
     m("inside", "inside-out", "invalid not-positive", "bottom and top exchanged, hash right",
       files={"bottom": lambda t: t.replace("-1.0", "1.0"), "top": lambda t: re.sub(" 1.0$", " -1.0", t, flags=re.M)})
     for control in ("bad-tet", "flat-tet"):
@@ -59,7 +59,7 @@ def positivity(m):
     m("bad-tet", "positivity-of-pinched", "invalid unknown-tet", "a tet that vanishes, as its vertex is pinched",
       whole("-positivity disjoint-mesh", "begin positivity\ntet 0 m0,t0,m1,m2 0\nbegin disjoint-mesh\nsep 0 1 l:g0,g2"),
       lines("pinched 0", "pinched 16 0"),
-      files={"bottom": swap_text("0.0 0.0 -1.0", "0.0 0.0 0.0"), "top": swap_text("0.0 0.0 1.0", "0.0 0.0 0.0")})
+      files={"bottom": swap("0.0 0.0 -1.0", "0.0 0.0 0.0"), "top": swap("0.0 0.0 1.0", "0.0 0.0 0.0")})
 
 
 def carriers(m):
@@ -138,7 +138,7 @@ def hand_made_overlays(m):
       whole(SECTION, closed("c 0 1 2\nc 0 3 1\nc 0 2 3\nc 1 3 2")))
     cut = overlay("0 m0", "1 m1", "2 m2,t2", "3 m3,t3", "2,3 m2,t3")("c 0 1 2\nc 0 2 4\nc 0 4 3")
     raised = off("0 0 0/4 0 0/4 4 .5/0 4 .5", SQUARE)
-    bent = {"mesh": raised, "top": swap_text("4.0 0.0 1.0", "3.5 0.5 1.0")}
+    bent = {"mesh": raised, "top": swap("4.0 0.0 1.0", "3.5 0.5 1.0")}
     m("boundary", "wall-straight", "valid", "a mesh edge on a straight wall", whole(ALL_ORDERS, cut), files={"mesh": raised})
     m("boundary", "wall-bent", "invalid all-orders-boundary", "a mesh edge on a bent wall", whole(ALL_ORDERS, cut), files=bent)
     m("boundary", "wall-bent-one-order", "valid", "the same without section-all-orders", whole(SECTION, cut), files=bent)
@@ -292,7 +292,7 @@ def reasons(m):
     m("monodromy", "monodromy-is-twice", "invalid not-refuted", "the first reason turned into twice",
       lambda t: t.replace("\nmonodromy\n", "\ntwice\n", 1))
     m("lands", "lands-is-wall", "invalid not-refuted", "the last reason turned into wall",
-      swap_text("start m0,m1,t1,t2\nlands", "start m0,m1,t1,t2\nwall"))
+      swap("start m0,m1,t1,t2\nlands", "start m0,m1,t1,t2\nwall"))
     m("twice", "twice-cut", "invalid not-refuted", "the last step left out", drop("step 16 1 1 2 m0,m1,m3,t3"))
     m("twice", "twice-same-leg", "invalid not-refuted", "both legs end in one point",
       lambda t: re.sub("(start .*\n(step .*\n)*)(start .*\n(step .*\n)*)twice", r"\1\1twice", t))
@@ -326,7 +326,7 @@ def separation(m):
     m(t, "plane-twice", "valid", "the plane twice", lines(sep, f"{sep} l:g0,g2"))
     m("cap", "plane-of-pinched", no, "a plane through a name that a pinched vertex has not",
       whole("disjoint-mesh", "begin disjoint-mesh\nsep 0 1 p:m0,m2,t0"), lines("pinched 0", "pinched 16 0"),
-      files={"bottom": swap_text("0.0 0.0 -1.0", "0.0 0.0 0.0"), "top": swap_text("0.0 0.0 1.0", "0.0 0.0 0.0"),
+      files={"bottom": swap("0.0 0.0 -1.0", "0.0 0.0 0.0"), "top": swap("0.0 0.0 1.0", "0.0 0.0 0.0"),
              "mesh": off("0 0 .25/4 0 .25/4 4 .25/0 4 .25", SQUARE)})
 
 

@@ -3,11 +3,14 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests may fail like tests
 
+mod table;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use homeo_certs::{Outcome, check, check_files};
+use table::{Row, names_in};
 
 const INPUTS: [&str; 4] = ["bottom.off", "middle.off", "top.off", "mesh.off"];
 
@@ -63,34 +66,11 @@ const CODES: [&str; 44] = [
 ];
 
 fn corpus() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus")
+    table::corpus("corpus")
 }
 
-struct Row {
-    control: String,
-    mutant: String,
-    inputs: Vec<String>,
-    exit: u8,
-    code: String,
-}
-
-fn table() -> Vec<Row> {
-    let text = fs::read_to_string(corpus().join("mutants.tsv")).unwrap();
-    let mut lines = text.lines();
-    assert_eq!(lines.next(), Some("control\tmutant\tinputs\texit\tcode\twhat"));
-    let row = |line: &str| {
-        let columns: Vec<&str> = line.split('\t').collect();
-        let [control, mutant, inputs, exit, code, what] = columns[..] else { panic!("columns of {line}") };
-        assert!(!what.is_empty(), "{line}");
-        let inputs = match inputs {
-            "control" => INPUTS.map(str::to_owned).to_vec(),
-            "none" => vec![],
-            names => names.split(' ').map(str::to_owned).collect(),
-        };
-        let exit = exit.parse().unwrap();
-        Row { control: control.into(), mutant: mutant.into(), inputs, exit, code: code.into() }
-    };
-    lines.map(row).collect()
+fn rows() -> Vec<Row> {
+    table::rows(&corpus().join("mutants.tsv"), &INPUTS)
 }
 
 fn answer(control: &str, cert: &str, inputs: &[String]) -> (Vec<u8>, Outcome) {
@@ -138,18 +118,12 @@ fn controls_are_valid_with_their_claims() {
 fn mutants_get_the_answer_of_the_table() {
     let mut wrong = Vec::new();
     let mut corrupted = 0;
-    for row in table() {
-        let (cert, outcome) = answer(&row.control, &format!("{}.cert", row.mutant), &row.inputs);
-        let code = if outcome.code.is_empty() { "-" } else { outcome.code };
-        if (outcome.exit, code) != (row.exit, row.code.as_str()) {
-            let (exit, message) = (outcome.exit, outcome.message);
-            let place = format!("{}/{}", row.control, row.mutant);
-            wrong.push(format!(
-                "{place}: {exit} {code} ({message}), but the table says {} {}",
-                row.exit, row.code
-            ));
+    for row in rows() {
+        let (cert, outcome) = answer(&row.control, &row.file(), &row.inputs);
+        if let Some(difference) = row.difference(&outcome) {
+            wrong.push(difference);
         } else if row.exit == 0 {
-            assert_eq!(outcome.claims, stated(&cert), "{}/{}", row.control, row.mutant);
+            assert_eq!(outcome.claims, stated(&cert), "{}", row.place());
         } else {
             assert!(outcome.claims.is_empty());
             corrupted += 1;
@@ -161,7 +135,7 @@ fn mutants_get_the_answer_of_the_table() {
 
 #[test]
 fn every_code_has_a_mutant() {
-    let found: BTreeSet<String> = table().into_iter().map(|row| row.code).collect();
+    let found: BTreeSet<String> = rows().into_iter().map(|row| row.code).collect();
     let all: BTreeSet<String> = CODES.iter().map(|&code| code.to_owned()).collect();
     let missing: Vec<_> = all.iter().filter(|code| !found.contains(*code)).map(String::as_str).collect();
     assert_eq!(missing.into_iter().collect::<BTreeSet<_>>(), NOT_IN_CORPUS.into_iter().collect());
@@ -175,17 +149,14 @@ fn every_file_is_in_the_table() {
         let own = INPUTS.iter().chain(&["control.cert"]).map(|&name| name.to_owned());
         listed.insert(control, own.collect());
     }
-    for row in table() {
+    for row in rows() {
         let names =
             listed.get_mut(&row.control).unwrap_or_else(|| panic!("{}: no such control", row.control));
-        assert!(names.insert(format!("{}.cert", row.mutant)), "{}/{} stands twice", row.control, row.mutant);
+        assert!(names.insert(row.file()), "{} stands twice", row.place());
         names.extend(row.inputs);
     }
     for (control, names) in listed {
-        let entries = fs::read_dir(corpus().join(&control)).unwrap();
-        let found: BTreeSet<String> =
-            entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-        assert_eq!(found, names, "{control}");
+        assert_eq!(names_in(&corpus().join(&control)), names, "{control}");
     }
 }
 

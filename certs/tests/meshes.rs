@@ -3,11 +3,14 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests may fail like tests
 
+mod table;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use homeo_certs::{check, check_files};
+use table::{Row, names_in};
 
 /// Codes of `MESHES.md` section 4 without a mutant: `usage` is not about contents, `size` needs a file of 1 GiB.
 const CODES: [&str; 25] = [
@@ -39,55 +42,30 @@ const CODES: [&str; 25] = [
 ];
 
 fn corpus() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus-meshes")
+    table::corpus("corpus-meshes")
 }
 
-struct Row {
-    control: String,
-    mutant: String,
-    inputs: Vec<String>,
-    exit: u8,
-    code: String,
-}
-
-fn table() -> Vec<Row> {
-    let text = fs::read_to_string(corpus().join("table.tsv")).unwrap();
-    let mut lines = text.lines();
-    assert_eq!(lines.next(), Some("control\tmutant\tinputs\texit\tcode\twhat"));
-    let row = |line: &str| {
-        let columns: Vec<&str> = line.split('\t').collect();
-        let [control, mutant, inputs, exit, code, what] = columns[..] else { panic!("columns of {line}") };
-        assert!(!what.is_empty(), "{line}");
-        let inputs = if inputs == "none" { vec![] } else { inputs.split(' ').map(str::to_owned).collect() };
-        let exit = exit.parse().unwrap();
-        Row { control: control.into(), mutant: mutant.into(), inputs, exit, code: code.into() }
-    };
-    lines.map(row).collect()
+fn rows() -> Vec<Row> {
+    table::rows(&corpus().join("table.tsv"), &[])
 }
 
 fn paths(row: &Row) -> (PathBuf, Vec<PathBuf>) {
     let folder = corpus().join(&row.control);
-    (folder.join(format!("{}.cert", row.mutant)), row.inputs.iter().map(|name| folder.join(name)).collect())
+    (folder.join(row.file()), row.inputs.iter().map(|name| folder.join(name)).collect())
 }
 
 #[test]
 fn every_certificate_gets_the_answer_of_the_table() {
     let (mut wrong, mut valid, mut controls) = (Vec::new(), BTreeSet::new(), 0);
-    for row in table() {
+    for row in rows() {
         let (cert, inputs) = paths(&row);
         let outcome = check_files(&cert, &inputs);
-        let code = if outcome.code.is_empty() { "-" } else { outcome.code };
-        let place = format!("{}/{}", row.control, row.mutant);
-        if (outcome.exit, code) != (row.exit, row.code.as_str()) {
-            let (exit, message) = (outcome.exit, outcome.message);
-            wrong.push(format!(
-                "{place}: {exit} {code} ({message}), the table says {} {}",
-                row.exit, row.code
-            ));
+        if let Some(difference) = row.difference(&outcome) {
+            wrong.push(difference);
         } else if row.exit == 0 {
             let text = fs::read_to_string(cert).unwrap();
             let stated = text.lines().nth(1).unwrap().strip_prefix("claim ").unwrap().to_owned();
-            let [(name, certified)] = &outcome.claims[..] else { panic!("claims of {place}") };
+            let [(name, certified)] = &outcome.claims[..] else { panic!("claims of {}", row.place()) };
             assert_eq!(format!("{name} {}", if *certified { "certified" } else { "refuted" }), stated);
             valid.insert(stated);
         } else {
@@ -104,15 +82,14 @@ fn every_certificate_gets_the_answer_of_the_table() {
 
 #[test]
 fn every_code_has_a_mutant() {
-    let found: BTreeSet<String> =
-        table().into_iter().map(|row| row.code).filter(|code| code != "-").collect();
+    let found: BTreeSet<String> = rows().into_iter().map(|row| row.code).filter(|code| code != "-").collect();
     assert_eq!(found, CODES.iter().map(|&code| code.to_owned()).collect());
 }
 
 #[test]
 fn every_kind_of_witness_is_accepted_and_refused() {
     let mut answers: BTreeMap<String, BTreeSet<bool>> = BTreeMap::new();
-    for row in table() {
+    for row in rows() {
         let text = String::from_utf8_lossy(&fs::read(paths(&row).0).unwrap()).into_owned();
         let lines: Vec<&str> = text.split("begin witness\n").nth(1).unwrap_or("").lines().collect();
         if let [line, _, "end"] = lines[..] {
@@ -130,16 +107,14 @@ fn every_kind_of_witness_is_accepted_and_refused() {
 #[test]
 fn every_file_is_in_the_table() {
     let mut listed: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    for row in table() {
+    for row in rows() {
+        let (file, place) = (row.file(), row.place());
         let names = listed.entry(row.control).or_default();
-        assert!(names.insert(format!("{}.cert", row.mutant)));
+        assert!(names.insert(file), "{place} stands twice");
         names.extend(row.inputs.into_iter().filter(|name| name != "c.off"));
     }
     for (control, names) in listed {
-        let entries = fs::read_dir(corpus().join(&control)).unwrap();
-        let found: BTreeSet<String> =
-            entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-        assert_eq!(found, names, "{control}");
+        assert_eq!(names_in(&corpus().join(&control)), names, "{control}");
     }
 }
 
@@ -152,7 +127,7 @@ fn random(state: &mut u64) -> usize {
 #[test]
 fn damage_never_panics() {
     let mut state = 1;
-    for row in table().iter().filter(|row| row.exit == 0) {
+    for row in rows().iter().filter(|row| row.exit == 0) {
         let (cert, inputs) = paths(row);
         let cert = fs::read(cert).unwrap();
         let inputs: Vec<_> = inputs.iter().map(|path| fs::read(path).unwrap()).collect();

@@ -7,6 +7,7 @@ use crate::certify::Silent;
 use crate::construct::icosphere;
 use crate::mesh::TriMesh;
 use crate::shell::Shell;
+use crate::testing::torus;
 
 fn subject<'a>(name: &'static str, mesh: &'a TriMesh) -> Subject<'a> {
     Subject { name, file: format!("{name}.off"), mesh }
@@ -37,19 +38,6 @@ fn octahedron() -> TriMesh {
         |i: usize| std::array::from_fn(|k| if k == i % 3 { if i < 3 { 1.0 } else { -1.0 } } else { 0.0 });
     let faces = vec![[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];
     TriMesh { vertices: (0..6).map(axis).collect(), faces }
-}
-
-fn torus(n: u32) -> TriMesh {
-    let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
-    let at = |i: u32, j: u32| (i % n) * n + j % n;
-    let mut mesh = TriMesh::default();
-    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
-        let r = 3.0 + angle(j).cos();
-        mesh.vertices.push([r * angle(i).cos(), r * angle(i).sin(), angle(j).sin()]);
-        mesh.faces.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-        mesh.faces.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
-    }
-    mesh
 }
 
 fn survey(audit: &Audit) -> &SurveyReport {

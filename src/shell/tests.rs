@@ -3,21 +3,9 @@
 
 use super::decomposition::{LocalVertex, ORDERS, TETS, decomposition, order_index};
 use super::{Layer, Name, Shell, Slab, hdf5};
+use crate::testing::shell_directory;
 use dashu_int::IBig;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
-
-/// The directory of the real shell files, if it is there.
-pub(super) fn shell_directory() -> Option<PathBuf> {
-    let root = std::env::var_os("HOMEO_DATA")
-        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data"), PathBuf::from);
-    let directory = root.join("thirdparty/shells");
-    if directory.is_dir() {
-        return Some(directory);
-    }
-    eprintln!("SKIPPED: {} is not there (set HOMEO_DATA)", directory.display());
-    None
-}
 
 /// File, mesh triangles, prisms, tets, tets that are not positive.
 pub(super) const FACTS: [(&str, usize, usize, usize, usize); 20] = [

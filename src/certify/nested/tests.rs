@@ -4,6 +4,7 @@ use super::*;
 use crate::certify::{Silent, Verdict};
 use crate::construct::icosphere;
 use crate::mesh::{Connectivity, Format, TriMesh, encode};
+use crate::testing::{joined, torus};
 
 fn ball(radius: f64, centre: [f64; 3], flipped: bool) -> TriMesh {
     let mut mesh = icosphere(1);
@@ -14,12 +15,6 @@ fn ball(radius: f64, centre: [f64; 3], flipped: bool) -> TriMesh {
         mesh.faces.iter_mut().for_each(|f| f.swap(1, 2));
     }
     mesh
-}
-
-fn both(a: &TriMesh, b: &TriMesh) -> TriMesh {
-    let shift = a.vertices.len() as u32;
-    let faces = a.faces.iter().copied().chain(b.faces.iter().map(|f| f.map(|v| v + shift)));
-    TriMesh { vertices: [a.vertices.clone(), b.vertices.clone()].concat(), faces: faces.collect() }
 }
 
 fn judged(a: &TriMesh, b: &TriMesh, text: &str) -> &'static str {
@@ -56,7 +51,7 @@ fn the_wrong_way_round_and_inside_out_are_not() {
 
 #[test]
 fn a_component_outside_is_found() {
-    let two = both(&ball(1.0, O, false), &ball(1.0, [8.0, 0.5, 0.25], false));
+    let two = joined(&ball(1.0, O, false), &ball(1.0, [8.0, 0.5, 0.25], false));
     let out = verdict(&two, &ball(2.0, O, false));
     assert_eq!(out.verdict, Verdict::Refuted);
     let second = two.vertices.len() as u32 / 2;
@@ -81,20 +76,6 @@ fn open_and_defective_surfaces_are_refused_with_a_witness() {
     assert!(matches!(verdict(&small, &large).reasons[0], Reason::Defect(..)));
 }
 
-/// A torus of `n` by `n` squares.
-fn torus(n: u32) -> TriMesh {
-    let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
-    let at = |i: u32, j: u32| (i % n) * n + j % n;
-    let mut mesh = TriMesh::default();
-    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
-        let r = 3.0 + angle(j).cos();
-        mesh.vertices.push([r * angle(i).cos(), r * angle(i).sin(), angle(j).sin()]);
-        mesh.faces.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-        mesh.faces.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
-    }
-    mesh
-}
-
 fn facts(mesh: &TriMesh) -> Vec<ComponentFacts> {
     component_facts(mesh, &Connectivity::new(mesh.vertices.len(), &mesh.faces).unwrap())
 }
@@ -103,7 +84,7 @@ fn facts(mesh: &TriMesh) -> Vec<ComponentFacts> {
 fn components_are_told_apart_by_euler_characteristic_and_loops() {
     let (mut sphere, ring) = (ball(1.0, O, false), torus(6));
     let fact = |e, b| ComponentFacts { euler_characteristic: e, boundary_loops: b };
-    assert_eq!(facts(&both(&sphere, &ring)), [fact(2, 0), fact(0, 0)]);
+    assert_eq!(facts(&joined(&sphere, &ring)), [fact(2, 0), fact(0, 0)]);
     assert_eq!(facts(&ring)[0].genus(), 1);
     let (verdict, text) = same_topology(&sphere, &ring, [&facts(&sphere), &facts(&ring)]);
     assert_eq!(verdict, Verdict::Refuted);

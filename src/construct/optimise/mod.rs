@@ -17,8 +17,6 @@ mod grid;
 mod invariants;
 mod limits;
 mod operation;
-#[cfg(test)]
-mod overlap_tests;
 mod partner;
 mod prism;
 mod repair;

@@ -33,7 +33,7 @@ fn signs(points: &[[f64; 3]], tets: &[[u32; 4]]) -> [usize; 3] {
 
 #[test]
 fn tet_meshes_have_the_listed_facts() {
-    let Some(data) = data() else { return };
+    let Some(data) = data("") else { return };
     // Vertices, tets and inverted tets of INDEX.md; no tet is flat.
     let facts = [
         ("octopus-low.mesh", 452, 1140, 0, Format::Medit),
@@ -65,7 +65,7 @@ fn tet_meshes_have_the_listed_facts() {
 
 #[test]
 fn exact_positions_of_openvolumemesh() {
-    let Some(data) = data() else { return };
+    let Some(data) = data("") else { return };
     let maps = data.join("thirdparty/tetmaps");
     let file = read_complex(&maps.join("thingi10k_83715_tet_codomain.ovm")).unwrap();
     assert_eq!(file.complex.cells.len(), 1937);
@@ -87,7 +87,7 @@ fn exact_positions_of_openvolumemesh() {
 
 #[test]
 fn freesurfer_surfaces_share_their_triangles() {
-    let Some(data) = data() else { return };
+    let Some(data) = data("") else { return };
     let [white, pial] =
         ["white", "pial"].map(|name| read(&data.join(format!("pairs/{name}_left.gii.gz"))).unwrap());
     for file in [&white, &pial] {

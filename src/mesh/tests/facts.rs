@@ -38,7 +38,7 @@ const CLEAN: &[Row] = &[
 ];
 
 fn load(name: &str) -> Option<MeshFile> {
-    Some(read(&data()?.join(name)).expect(name))
+    Some(read(&data(name)?).expect(name))
 }
 
 #[test]

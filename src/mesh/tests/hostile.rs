@@ -2,6 +2,7 @@
 
 use super::*;
 use std::fs;
+use std::path::Path;
 
 const NAMES: [&str; 4] = ["off", "obj", "ply", "stl"];
 

@@ -8,18 +8,7 @@ mod roundtrip;
 mod topology;
 
 use super::*;
-use std::path::{Path, PathBuf};
-
-/// The directory of test data, if it is there.
-fn data() -> Option<PathBuf> {
-    let path = std::env::var_os("HOMEO_DATA")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data"), PathBuf::from);
-    if path.is_dir() {
-        return Some(path);
-    }
-    eprintln!("SKIPPED: no test data at {}", path.display());
-    None
-}
+use crate::testing::data;
 
 /// Reads text that must be a mesh.
 fn parsed(text: &str, format: Format) -> MeshFile {

@@ -176,7 +176,7 @@ fn files_are_replaced_whole_or_not_at_all() {
 
 #[test]
 fn real_meshes() {
-    let Some(data) = data() else { return };
+    let Some(data) = data("") else { return };
     for name in [
         "surface/bunny.off",
         "surface/hull-mask.obj",

@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 
 use crate::predicate::Sign;
+use crate::testing::Random;
 
 pub(super) type P = [f64; 3];
 
@@ -48,29 +49,10 @@ pub(super) fn orient2d(a: &P, b: &P, c: &P, drop: usize) -> Sign {
     sign(&(&u[i] * &v[j] - &u[j] * &v[i]))
 }
 
-/// SplitMix64: reproducible, and no dependency.
-pub(super) struct Random(pub u64);
-
 impl Random {
-    pub(super) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(super) fn below(&mut self, n: u64) -> u64 {
-        self.next() % n
-    }
-
     /// Uniform integer in `low..=high`.
     pub(super) fn integer(&mut self, low: i32, high: i32) -> i32 {
-        low + i32::try_from(self.below(u64::from(high.abs_diff(low)) + 1)).expect("small")
-    }
-
-    /// Uniform in `[-1, 1)`, 53 bits.
-    pub(super) fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / 4_503_599_627_370_496.0 - 1.0
+        low + i32::try_from(self.below(high.abs_diff(low) as usize + 1)).expect("small")
     }
 
     pub(super) fn point(&mut self, mut coordinate: impl FnMut(&mut Self) -> f64) -> P {

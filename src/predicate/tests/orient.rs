@@ -1,9 +1,10 @@
-use super::oracle::{self, P, Random};
+use super::oracle::{self, P};
 use crate::predicate::determinant::Integers;
 use crate::predicate::{
     Axis, Sign, Stage, StageCounts, collinear, dot_sign_exact, dot_sign_staged, normal_signs, orient2d_exact,
     orient2d_staged, orient3d, orient3d_exact, orient3d_staged,
 };
+use crate::testing::Random;
 
 /// Two to the power `e`, subnormals included.
 fn power(e: i32) -> f64 {
@@ -89,8 +90,8 @@ fn known_fault_coplanar_near_2_to_minus_310() {
 fn known_fault_near_coplanar_near_2_to_minus_343() {
     run(343, 4000, |random| {
         let s = power(-343);
-        let mut p = five(random, |r| r.unit() * s);
-        let (x, y) = (random.unit(), random.unit());
+        let mut p = five(random, |r| r.real() * s);
+        let (x, y) = (random.real(), random.real());
         p[3] = [0, 1, 2].map(|k| p[0][k] + x * (p[1][k] - p[0][k]) + y * (p[2][k] - p[0][k]));
         p
     });
@@ -100,7 +101,7 @@ fn known_fault_near_coplanar_near_2_to_minus_343() {
 #[test]
 fn known_fault_mixed_exponents() {
     for (seed, limit) in [(1, 400), (2, 500), (3, 1020), (4, 100), (5, 30)] {
-        let counts = run(seed, 8000, |random| five(random, |r| r.unit() * power(r.integer(-limit, limit))));
+        let counts = run(seed, 8000, |random| five(random, |r| r.real() * power(r.integer(-limit, limit))));
         // Spans beyond about 317 bits are for the big integers.
         let beyond_filter = if limit <= 100 { counts[0].fixed } else { counts[0].big };
         assert!(counts[0].filter > 0 && beyond_filter > 0, "{counts:?}");
@@ -114,15 +115,15 @@ fn known_fault_lost_products_of_tiny_differences() {
         let (up, down) = (random.integer(300, 1000), random.integer(-560, -500));
         let mut p = [[0.0; 3]; 5];
         for (row, scale) in [(1, up), (2, down), (3, down)] {
-            p[row] = random.point(|r| r.unit() * power(scale));
+            p[row] = random.point(|r| r.real() * power(scale));
         }
         // Nearly parallel tiny rows make the lost products matter.
         if random.below(2) == 0 {
             p[3] = p[2].map(|x| x * 1.5);
-            let k = usize::try_from(random.below(3)).expect("small");
+            let k = random.below(3);
             p[3][k] = p[3][k].next_up();
         }
-        let turn = usize::try_from(random.below(3)).expect("small");
+        let turn = random.below(3);
         p[1..4].rotate_right(turn);
         p[4] = p[3];
         p[3] = [0.0; 3];
@@ -135,7 +136,7 @@ fn known_fault_lost_products_of_tiny_differences() {
 
 #[test]
 fn uniform() {
-    let counts = run(7, 20_000, |random| five(random, Random::unit));
+    let counts = run(7, 20_000, |random| five(random, Random::real));
     assert!(counts[0].filter * 100 > counts[0].total() * 95, "{counts:?}");
 }
 
@@ -152,14 +153,14 @@ fn small_grid_and_exact_zeros() {
 #[test]
 fn near_degenerate() {
     run(9, 40_000, |random| {
-        let mut p = five(random, Random::unit);
-        let (x, y) = (random.unit(), random.unit());
+        let mut p = five(random, Random::real);
+        let (x, y) = (random.real(), random.real());
         p[3] = [0, 1, 2].map(|k| p[0][k] + x * (p[1][k] - p[0][k]) + y * (p[2][k] - p[0][k]));
         if random.below(2) == 0 {
             p[2] = [0, 1, 2].map(|k| p[0][k] + x * (p[1][k] - p[0][k]));
         }
         p[4] = p[3];
-        let k = usize::try_from(random.below(3)).expect("small");
+        let k = random.below(3);
         p[4][k] = if random.below(2) == 0 { p[4][k].next_up() } else { p[4][k].next_down() };
         p
     });
@@ -208,9 +209,7 @@ fn extreme_values() {
         1e-200,
         1e200,
     ];
-    let counts = run(12, 40_000, |random| {
-        five(random, |r| pool[usize::try_from(r.below(pool.len() as u64)).expect("small")])
-    });
+    let counts = run(12, 40_000, |random| five(random, |r| pool[r.below(pool.len())]));
     assert!(counts[0].filter > 100 && counts[1].fixed > 100 && counts[0].big > 100, "{counts:?}");
 }
 
@@ -219,7 +218,7 @@ fn permutations_change_the_sign_by_parity() {
     let mut random = Random(13);
     for round in 0..2000 {
         let mut p = five(&mut random, |r| match round % 3 {
-            0 => r.unit(),
+            0 => r.real(),
             1 => f64::from(r.integer(-2, 2)),
             _ => r.any_finite(),
         });
@@ -229,7 +228,7 @@ fn permutations_change_the_sign_by_parity() {
             let (i, j) = (random.below(4), random.below(4));
             if i != j {
                 parity = -parity;
-                p.swap(usize::try_from(i).expect("small"), usize::try_from(j).expect("small"));
+                p.swap(i, j);
             }
             assert_eq!(orient3d(&p[0], &p[1], &p[2], &p[3]), sign * parity);
         }
@@ -242,8 +241,7 @@ fn not_finite_does_not_panic() {
     let pool = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, 1.0, f64::MAX];
     let mut random = Random(14);
     for _ in 0..2000 {
-        let [a, b, c, d, e] =
-            five(&mut random, |r| pool[usize::try_from(r.below(pool.len() as u64)).expect("small")]);
+        let [a, b, c, d, e] = five(&mut random, |r| pool[r.below(pool.len())]);
         orient3d_exact(&a, &b, &c, &d);
         dot_sign_staged(&a, &b, &c, &d, &e);
         normal_signs(&a, &b, &c);
@@ -273,7 +271,7 @@ fn widths_at_the_limits_of_the_stages() {
         let mut undecided = StageCounts::default();
         let counts = run(900 + u64::from(bits.unsigned_abs()), 3000, |random| {
             let pool = [large, -large, large, -large, large.next_down(), -large.next_down(), 1.0, -1.0];
-            let mut p = five(random, |r| pool[usize::try_from(r.below(8)).expect("small")]);
+            let mut p = five(random, |r| pool[r.below(8)]);
             // The least place of every axis is 1 and the largest value is there.
             p[0] = [1.0, -1.0, 1.0];
             p[1] = [large, -large, large];
@@ -289,7 +287,7 @@ fn widths_at_the_limits_of_the_stages() {
         let mut random = Random(u64::from(bits.unsigned_abs()));
         for _ in 0..3000 {
             let pool = [large, -large, 1.0, -1.0];
-            let p = five(&mut random, |r| pool[usize::try_from(r.below(4)).expect("small")]);
+            let p = five(&mut random, |r| pool[r.below(4)]);
             assert_eq!(unfiltered(&p), oracle::orient3d(&p[0], &p[1], &p[2], &p[3]), "{bits} {p:?}");
         }
     }

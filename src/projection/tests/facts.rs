@@ -1,10 +1,11 @@
 //! Shells whose projection is known by hand.
 
-use super::generate::{Random, in_tet, ratio, spiral};
+use super::generate::{in_tet, ratio, spiral};
 use crate::projection::{Projection, Rat, ShellPoint};
 use crate::shell::Shell;
 use crate::shell::VertexOrder;
 use crate::shell::decomposition::ORDERS;
+use crate::testing::Random;
 
 /// The reference prism itself, its corners at (0, 0), (1, 0), (0, 1), some of them pinched.
 fn reference(pinched: [bool; 3]) -> Shell {

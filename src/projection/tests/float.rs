@@ -1,10 +1,10 @@
 //! The floating-point answers against the exact ones: every stated bound is checked in rationals.
 
-use super::generate::{Random, in_tet, shell};
-use super::real::shell_directory;
+use super::generate::{in_tet, shell};
 use crate::projection::{FloatPoint, MAX_ERROR, Projection, Rat, ShellPoint};
 use crate::shell::VertexOrder;
 use crate::shell::{Shell, hdf5};
+use crate::testing::{Random, shell_directory};
 use dashu_base::Abs;
 
 /// The largest true error of an answer; panics where it is above the stated bound.

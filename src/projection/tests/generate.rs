@@ -3,23 +3,10 @@
 use crate::projection::{Projection, Rat, ShellPoint};
 use crate::shell::Shell;
 use crate::shell::VertexOrder;
+use crate::testing::Random;
 use dashu_int::{IBig, UBig};
 
-/// SplitMix64.
-pub(super) struct Random(pub(super) u64);
-
 impl Random {
-    pub(super) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(super) fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % n as u64).unwrap()
-    }
-
     /// In `[-1, 1)`: of few bits or of all bits of a double.
     pub(super) fn double(&mut self, coarse: bool) -> f64 {
         let bits = self.next();

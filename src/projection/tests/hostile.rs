@@ -1,10 +1,11 @@
 //! Input that must be refused by name, and extreme numbers.
 
-use super::generate::{Random, in_tet, ratio, spiral};
+use super::generate::{in_tet, ratio, spiral};
 use super::properties::check_point;
 use crate::projection::{PointError, Projection, ProjectionError, Rat, ShellPoint};
 use crate::shell::VertexOrder;
 use crate::shell::validate::ShellError;
+use crate::testing::Random;
 use dashu_int::IBig;
 
 #[test]

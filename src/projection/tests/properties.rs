@@ -1,7 +1,8 @@
 //! Exact equalities on random points in random shells.
 
-use super::generate::{Random, in_tet, shell, shell_point};
+use super::generate::{in_tet, shell, shell_point};
 use crate::projection::{Projection, Rat, ShellPoint};
+use crate::testing::Random;
 
 /// The different middle points below some images, by prism.
 fn middles(images: &[ShellPoint]) -> Vec<ShellPoint> {

@@ -1,23 +1,11 @@
 //! Real shells, where they are at hand.
 
-use super::generate::{Random, in_tet, shell_point};
+use super::generate::{in_tet, shell_point};
 use super::properties::check_point;
 use crate::projection::{Projection, ProjectionError, Rat};
 use crate::shell::VertexOrder;
 use crate::shell::hdf5;
-use std::path::PathBuf;
-
-/// The directory of the real shell files, if it is there.
-pub(super) fn shell_directory() -> Option<PathBuf> {
-    let root = std::env::var_os("HOMEO_DATA")
-        .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/data"), PathBuf::from);
-    let directory = root.join("thirdparty/shells");
-    if directory.is_dir() {
-        return Some(directory);
-    }
-    eprintln!("SKIPPED: {} is not there (set HOMEO_DATA)", directory.display());
-    None
-}
+use crate::testing::{Random, shell_directory};
 
 const VALID: [&str; 12] = [
     "cube.obj.h5",

@@ -1,11 +1,11 @@
 //! `P_T` and its inverse: exact round trips, and what must be refused.
 
-use super::generate::{Random, ratio, shell, spiral};
-use super::real::shell_directory;
+use super::generate::{ratio, shell, spiral};
 use crate::mesh::TriMesh;
 use crate::projection::{MeshPoint, Projection, Rat, SectionError, SectionMap, ShellPoint};
 use crate::shell::VertexOrder;
 use crate::shell::hdf5;
+use crate::testing::{Random, shell_directory};
 
 fn mesh_point(random: &mut Random, mesh: &TriMesh) -> MeshPoint {
     MeshPoint { face: u32::try_from(random.below(mesh.faces.len())).unwrap(), weights: random.weights() }

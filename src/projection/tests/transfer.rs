@@ -3,11 +3,11 @@
 //! Its files hold queries `mV`, target triangles `pV pF`, and answers: a triangle `fid` (-1: no tet
 //! found, -2: no hit) with the weights `qUV` on its second and third corner.
 
-use super::real::shell_directory;
 use crate::mesh::TriMesh;
 use crate::projection::{Projection, Rat, SectionMap};
 use crate::shell::VertexOrder;
 use crate::shell::hdf5;
+use crate::testing::shell_directory;
 use hdf5_pure::File;
 use std::collections::BTreeMap;
 

@@ -3,7 +3,8 @@
 use super::{MetaEdge, Metadata, ReadError, Separation, ShellFile, Tracks, parse, read, to_bytes, write};
 use crate::mesh::TriMesh;
 use crate::shell::Shell;
-use crate::shell::tests::{FACTS, shell_directory};
+use crate::shell::tests::FACTS;
+use crate::testing::shell_directory;
 use hdf5_pure::{File, FileBuilder};
 
 /// A small file with everything in it.

@@ -74,7 +74,7 @@ fn middle_complex() {
 
 #[test]
 fn real_shells_are_closed_manifolds() {
-    let Some(directory) = crate::shell::tests::shell_directory() else { return };
+    let Some(directory) = crate::testing::shell_directory() else { return };
     for (name, ..) in crate::shell::tests::FACTS {
         let file = hdf5::read(&directory.join(name)).unwrap_or_else(|error| panic!("{error}"));
         let remarks = validate(&file.shell).unwrap_or_else(|error| panic!("{name}: {error}"));

@@ -3,19 +3,8 @@ use crate::mesh::{self, TriMesh};
 use crate::number::Rat;
 use crate::projection::{MeshPoint, Projection, SectionMap};
 use crate::shell::{VertexOrder, hdf5};
+use crate::testing::shell_directory;
 use crate::transfer::{ExactPoint, Transfer};
-use std::path::{Path, PathBuf};
-
-fn shell_directory() -> Option<PathBuf> {
-    let root = std::env::var_os("HOMEO_DATA")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data"), PathBuf::from);
-    let directory = root.join("thirdparty/shells");
-    if directory.is_dir() {
-        return Some(directory);
-    }
-    eprintln!("SKIPPED: there are no real shells at {}", directory.display());
-    None
-}
 
 #[test]
 fn real_shells_there_and_back() {

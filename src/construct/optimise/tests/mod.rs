@@ -1,6 +1,7 @@
 //! Operations against their definitions: the certifier judges what they make, brute force what they are made of.
 
 mod joint;
+mod overlap;
 mod resume;
 mod same;
 
@@ -22,27 +23,7 @@ use crate::construct::{InitialOptions, initial};
 use crate::mesh::{Connectivity, TriMesh};
 use crate::predicate::orient3d_exact;
 use crate::shell::Shell;
-
-/// A small generator (splitmix64), so that a test's run is told by its seed.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % n as u64).unwrap()
-    }
-
-    /// In [-1, 1).
-    fn real(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
+use crate::testing::{Random, data};
 
 fn cube() -> TriMesh {
     let corner = |i: u8| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)];
@@ -214,15 +195,7 @@ fn random_operations_keep_every_claim_with_a_boundary() {
 
 #[test]
 fn random_operations_keep_every_claim_around_a_singular_vertex() {
-    let data = std::env::var_os("HOMEO_DATA").map_or_else(
-        || std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data"),
-        std::path::PathBuf::from,
-    );
-    let path = data.join("surface/tennis.off");
-    if !path.exists() {
-        eprintln!("SKIPPED: {} is not there", path.display());
-        return;
-    }
+    let Some(path) = data("surface/tennis.off") else { return };
     let mesh = crate::mesh::read(&path).unwrap().mesh;
     random_sequence(&mesh, 600, &mut Random(5));
 }

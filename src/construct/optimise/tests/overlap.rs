@@ -1,38 +1,12 @@
 //! Shells that must not overlap themselves: the index against brute force, the judge against the certifier, and whole
 //! builds around close sheets.
 
-use super::grid::Grid;
-use super::invariants::Judge;
-use super::prism::Pillar;
-use super::skin::Skin;
-use super::state::{Change, State};
-use super::tree::Box3;
-use super::{OptimiseOptions, optimise};
-use crate::certify::{self, Claim, Silent, Verdict};
-use crate::construct::{BuildError, InitialOptions, icosphere, initial};
-use crate::mesh::{Connectivity, TriMesh};
-use crate::shell::Shell;
-
-/// A small generator (splitmix64), so that a test's run is told by its seed.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % n as u64).unwrap()
-    }
-
-    /// In [-1, 1).
-    fn real(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-}
+use super::*;
+use crate::certify::Claim;
+use crate::construct::optimise::grid::Grid;
+use crate::construct::optimise::skin::Skin;
+use crate::construct::{BuildError, icosphere};
+use crate::testing::joined;
 
 /// The refuted ones of all claims, `disjoint-prisms` included.
 fn refuted(shell: &Shell, mesh: &TriMesh) -> Vec<Claim> {
@@ -42,14 +16,7 @@ fn refuted(shell: &Shell, mesh: &TriMesh) -> Vec<Claim> {
 }
 
 fn state(shell: &Shell) -> State {
-    State::new(shell, &Connectivity::new(shell.middle.len(), &shell.faces).unwrap())
-}
-
-fn joined(mut first: TriMesh, second: &TriMesh) -> TriMesh {
-    let n = u32::try_from(first.vertices.len()).unwrap();
-    first.vertices.extend(&second.vertices);
-    first.faces.extend(second.faces.iter().map(|f| f.map(|v| v + n)));
-    first
+    State::new(shell, &connectivity(shell))
 }
 
 /// Two spheres, one in the other, both with normals that point away from the centre.
@@ -57,7 +24,7 @@ fn close_spheres() -> TriMesh {
     let sphere = icosphere(2);
     let mut inner = sphere.clone();
     inner.vertices.iter_mut().flatten().for_each(|x| *x *= 0.9);
-    joined(sphere, &inner)
+    joined(&sphere, &inner)
 }
 
 /// A square, and a small one just above the middle of it: no skin is crossed by a prism that grows past it at once.
@@ -79,7 +46,7 @@ fn square_below_a_disc() -> TriMesh {
                 .collect(),
         }
     };
-    joined(square(16, 1.0, [0.0; 3]), &square(2, 0.004, [0.518, 0.508, 0.01]))
+    joined(&square(16, 1.0, [0.0; 3]), &square(2, 0.004, [0.518, 0.508, 0.01]))
 }
 
 /// A strip rolled up by a turn and a half: a boundary, and sheets that lie on each other.
@@ -155,7 +122,7 @@ fn skin_agrees_with_the_certifier() {
             let change = Change { moved: Some((v as u32, pillar)), ..Change::default() };
             let mut after = now.clone();
             after.apply(&change);
-            if !now.prisms(&change).iter().all(super::prism::Prism::is_positive) {
+            if !now.prisms(&change).iter().all(Prism::is_positive) {
                 continue;
             }
             let admitted = now.skin.as_ref().is_some_and(|skin| skin.admits(&now, &change));
@@ -177,7 +144,7 @@ fn the_judge_asks_the_skin() {
     let mesh = close_spheres();
     let shell = build(&mesh, true);
     let mut now = state(&shell);
-    let judge = Judge::new(std::borrow::Cow::Borrowed(&mesh), 0.0);
+    let judge = Judge::new(Cow::Borrowed(&mesh), 0.0);
     let grown = |state: &State, v: u32| {
         let change = Change { moved: Some((v, state.pillars[v as usize].scaled(1.6))), ..Change::default() };
         judge.admits(state, &change)
