@@ -4,11 +4,12 @@ use dashu_int::IBig;
 use rayon::prelude::*;
 
 use super::CertifyError;
-use super::complex::MeshView;
+use super::complex::{Boundary, MeshView};
 use super::exact::common_point;
 use super::observer::Observer;
 use super::pairs::BoxTree;
 use super::separate::{Named, Pair, PlaneName, PointName};
+use crate::mesh::{Connectivity, TriMesh};
 use crate::number::dyadic::scale_points;
 use crate::predicate::same_point;
 use crate::shell::{Layer, Shell};
@@ -61,6 +62,17 @@ struct Job<'a> {
     mesh: &'a MeshView<'a>,
     shell: &'a Shell,
     about: About,
+}
+
+/// All pairs of triangles of a mesh that share more than they may.
+pub(crate) fn self_crossings(
+    mesh: &TriMesh,
+    connectivity: &Connectivity,
+    observer: &dyn Observer,
+) -> Result<Vec<Crossing>, CertifyError> {
+    let boundary = Boundary::new(connectivity);
+    let view = MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity, boundary: &boundary };
+    Ok(decide(&view, &Shell::default(), About::Mesh, observer)?.crossings)
 }
 
 /// Decides C6. O((n + k) log n) for k pairs of boxes that meet.

@@ -259,10 +259,7 @@ fn in_triangle(point: &[IBig; 4], corners: [&Vec3; 3]) -> Option<[RBig; 3]> {
 /// A point of both triangles, the first of which has area, by weights on the corners of each: the mean of the corners of
 /// their common part. It lies in the relative interior of that part, hence not in the face that common vertices span
 /// unless that is all.
-pub(crate) fn common_point(
-    first: [&Vec3; 3],
-    second: [&Vec3; 3],
-) -> Result<[[IBig; 3]; 2], CertifyError> {
+pub(crate) fn common_point(first: [&Vec3; 3], second: [&Vec3; 3]) -> Result<[[IBig; 3]; 2], CertifyError> {
     let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
     let Some(centre) = centre(&cut_with_triangle(second, first)) else { return Err(broken) };
     let in_second = to_integers(&centre);
