@@ -7,7 +7,7 @@
 //!
 //! A *shell* ([`shell::Shell`]) has three points for every vertex of a triangle mesh, bottom, middle and top, and a prism for
 //! every triangle. A *vertex order* ([`certify::VertexOrder`]) cuts every prism into six tets; along them every point of
-//! the shell is projected onto the middle surface ([`projection`]). About a shell and a mesh in it there are six claims:
+//! the shell is projected onto the middle surface ([`projection`]). About a shell and a mesh in it there are these claims:
 //!
 //! | [`Claim`](certify::Claim) | says |
 //! |---|---|
@@ -17,6 +17,7 @@
 //! | `section-all-orders` | `section` and `bijection` for every vertex order |
 //! | `disjoint` | the mesh does not meet itself, nor bottom and top |
 //! | `i2` | invariant I2 of *Bijective Projection in a Shell*: positive dots for all tets and triangles in contact |
+//! | `disjoint-prisms` | the shell does not overlap itself (decided on demand) |
 //!
 //! # Verdicts
 //!

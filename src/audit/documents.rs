@@ -2,7 +2,7 @@
 
 use super::error::AuditError;
 use super::report::DocumentReport;
-use crate::mesh::TriMesh;
+use crate::mesh::{self, TriMesh};
 
 /// A file that proves something.
 #[derive(Clone, Debug)]
@@ -63,14 +63,7 @@ pub(crate) fn accepted(file: &str, answer: &homeo_certs::Outcome) -> Result<(), 
 /// A mesh as an OFF file, which both checkers read and which keeps every bit. Meshes that come from readers are finite and
 /// in range, but may be empty, which OFF holds, too.
 pub(crate) fn off(file: &str, mesh: &TriMesh) -> Document {
-    let mut text = format!("OFF\n{} {} 0\n", mesh.vertices.len(), mesh.faces.len());
-    for p in &mesh.vertices {
-        text += &format!("{:?} {:?} {:?}\n", p[0], p[1], p[2]);
-    }
-    for f in &mesh.faces {
-        text += &format!("3 {} {} {}\n", f[0], f[1], f[2]);
-    }
-    Document::input(file, text.into_bytes())
+    Document::input(file, mesh::write::off(mesh))
 }
 
 /// The bytes that stand for a mesh in keys of results: every bit of every coordinate, and all triangles.

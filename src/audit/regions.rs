@@ -4,17 +4,18 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::report::{Region, Violation, ViolationKind};
 use crate::mesh::Connectivity;
+use crate::mesh::connectivity::Sets;
 
 /// Connected sets of violations of one kind: by common vertices of their triangles, or, where nothing covers, by common
 /// walls of their prisms. Ordered by kind, then by first violation. O(n log n).
 pub(crate) fn regions(violations: &[Violation], mesh: &Connectivity, middle: &Connectivity) -> Vec<Region> {
-    let mut parent: Vec<usize> = (0..violations.len()).collect();
+    let mut joined = Sets::new(violations.len());
     for kind in ViolationKind::ALL {
-        let mut at: BTreeMap<Place, usize> = BTreeMap::new();
-        for (i, violation) in violations.iter().enumerate().filter(|(_, v)| v.kind == kind) {
+        let mut at: BTreeMap<Place, u32> = BTreeMap::new();
+        for (i, violation) in (0u32..).zip(violations).filter(|(_, v)| v.kind == kind) {
             for place in places(violation, mesh, middle) {
                 match at.get(&place) {
-                    Some(&other) => join(&mut parent, i, other),
+                    Some(&other) => joined.join(i, other),
                     None => {
                         at.insert(place, i);
                     }
@@ -22,9 +23,9 @@ pub(crate) fn regions(violations: &[Violation], mesh: &Connectivity, middle: &Co
             }
         }
     }
-    let mut sets: BTreeMap<(ViolationKind, usize), Vec<usize>> = BTreeMap::new();
-    for (i, violation) in violations.iter().enumerate() {
-        sets.entry((violation.kind, root(&mut parent, i))).or_default().push(i);
+    let mut sets: BTreeMap<(ViolationKind, u32), Vec<usize>> = BTreeMap::new();
+    for (i, violation) in (0u32..).zip(violations) {
+        sets.entry((violation.kind, joined.find(i))).or_default().push(i as usize);
     }
     sets.into_iter().map(|((kind, _), members)| region(kind, members, violations)).collect()
 }
@@ -71,17 +72,4 @@ fn region(kind: ViolationKind, members: Vec<usize>, violations: &[Violation]) ->
         prisms: prisms.into_iter().collect(),
         violations: members,
     }
-}
-
-fn root(parent: &mut [usize], mut i: usize) -> usize {
-    while parent[i] != i {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    i
-}
-
-fn join(parent: &mut [usize], i: usize, j: usize) {
-    let (i, j) = (root(parent, i), root(parent, j));
-    parent[i.max(j)] = i.min(j);
 }

@@ -10,9 +10,13 @@ use super::report::{AttemptReport, AttemptResult, AuditReport, AuditVerdict, Tim
 use super::topology;
 use super::validity::{Validity, validity};
 use crate::certify::nested::{component_facts, manifold, same_topology};
-use crate::certify::{CertifyError, Observer, Verdict, pl};
+use crate::certify::pl::{self, PlError};
+use crate::certify::{CertifyError, Observer, Verdict};
 use crate::mesh::{Connectivity, TriMesh};
 use crate::shell::Shell;
+
+#[cfg(test)]
+mod tests;
 
 /// A mesh under audit.
 #[derive(Clone, Debug)]
@@ -95,6 +99,29 @@ impl Default for Work {
     }
 }
 
+/// The document that refutes `embedded` of a mesh whose only fault are crossings, else `manifold`, and the claim's name;
+/// `None` for a mesh that no document can be about: one without triangles, or with indices or coordinates that are none.
+fn witness(
+    mesh: &TriMesh,
+    only_crossings: bool,
+    observer: &dyn Observer,
+) -> Result<Option<(&'static str, String)>, AuditError> {
+    if only_crossings {
+        let found = pl::embedded(&mesh.clone().into(), observer)?;
+        return match found.verdict {
+            Verdict::Refuted => Ok(Some(("embedded", found.certificate))),
+            Verdict::Certified => {
+                Err(CertifyError::Internal { what: "two searches for self-intersections differ" }.into())
+            }
+        };
+    }
+    match manifold(mesh) {
+        Ok((found, text)) => Ok(found.map(|_| ("manifold", text))),
+        Err(PlError::NoCells | PlError::Index { .. } | PlError::NotFinite { .. }) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
+}
+
 impl Work {
     fn lap(&mut self, stage: &str) {
         let seconds = self.since.elapsed().as_secs_f64();
@@ -126,13 +153,7 @@ impl Work {
                 first.unwrap_or_default()
             ));
             let letter = ["a", "b"][i];
-            let witness = if defects == 0 {
-                let embedded = pl::embedded(&subject.mesh.clone().into(), observer)?;
-                Some(("embedded", embedded.certificate))
-            } else {
-                // An empty mesh has no witness: there is nothing to point at.
-                manifold(subject.mesh).ok().filter(|(w, _)| w.is_some()).map(|(_, text)| ("manifold", text))
-            };
+            let witness = witness(subject.mesh, defects == 0, observer)?;
             if let (Some((claim, text)), Some(input)) = (witness, self.documents.get(i).cloned()) {
                 let says = format!("{name}: `{claim}` is refuted");
                 self.documents.push(checked(&format!("{letter}.{claim}.cert"), text, &says, &[&input])?);

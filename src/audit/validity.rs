@@ -4,11 +4,9 @@ use super::error::AuditError;
 use super::point::ExactPoint;
 use super::report::{CrossingReport, DefectReport, InputReport};
 use super::run::Subject;
-use crate::certify::complex::{Boundary, MeshView};
-use crate::certify::disjoint::{self, About};
-use crate::certify::{Crossing, Observer};
+use crate::certify::disjoint::self_crossings;
+use crate::certify::{CertifyError, Crossing, Observer};
 use crate::mesh::{self, Connectivity, Defect, TriMesh};
-use crate::shell::Shell;
 
 /// Everything that is wrong with an input. Self-intersections are looked for where triangles have area and indices are in
 /// range; connectivity is given for valid inputs.
@@ -35,7 +33,7 @@ pub(crate) fn validity(subject: &Subject<'_>, observer: &dyn Observer) -> Result
                 | Defect::ZeroArea { .. }
         )
     };
-    let crossings = if defects.iter().any(unfit) { Vec::new() } else { crossings(mesh, subject, observer)? };
+    let crossings = if defects.iter().any(unfit) { Vec::new() } else { crossings(subject, observer)? };
     let allowed = found.info.defects.iter().filter(|(kind, _)| kind.is_allowed());
     let report = InputReport {
         name: subject.name.to_owned(),
@@ -44,7 +42,7 @@ pub(crate) fn validity(subject: &Subject<'_>, observer: &dyn Observer) -> Result
         triangles: mesh.faces.len(),
         valid: defects.is_empty() && crossings.is_empty(),
         defects: defects.iter().map(|d| DefectReport { kind: kind_word(d), text: d.to_string() }).collect(),
-        self_intersections: crossings.iter().filter_map(|c| crossing_report(mesh, c)).collect(),
+        self_intersections: crossings,
         remarks: allowed.map(|(kind, n)| format!("{n} {kind}")).collect(),
     };
     let connectivity = match report.valid {
@@ -62,22 +60,18 @@ fn kind_word(defect: &Defect) -> String {
         .unwrap_or_default()
 }
 
-fn crossings(
-    mesh: &TriMesh,
-    subject: &Subject<'_>,
-    observer: &dyn Observer,
-) -> Result<Vec<Crossing>, AuditError> {
+/// All self-intersections.
+fn crossings(subject: &Subject<'_>, observer: &dyn Observer) -> Result<Vec<CrossingReport>, AuditError> {
+    let mesh = subject.mesh;
     let connectivity = Connectivity::new(mesh.vertices.len(), &mesh.faces)
         .map_err(|source| AuditError::Mesh { name: subject.name, source: Box::new(source) })?;
-    let boundary = Boundary::new(&connectivity);
-    let view = MeshView {
-        vertices: &mesh.vertices,
-        faces: &mesh.faces,
-        connectivity: &connectivity,
-        boundary: &boundary,
-    };
     observer.stage("self-intersections", Some(mesh.faces.len() as u64));
-    Ok(disjoint::decide(&view, &Shell::default(), About::Mesh, observer)?.crossings)
+    let found = self_crossings(mesh, &connectivity, observer)?;
+    let report = |c| {
+        let lost = CertifyError::Internal { what: "a crossing without a point" };
+        crossing_report(mesh, c).ok_or_else(|| lost.into())
+    };
+    found.iter().map(report).collect()
 }
 
 fn crossing_report(mesh: &TriMesh, crossing: &Crossing) -> Option<CrossingReport> {

@@ -4,11 +4,12 @@ use dashu_int::IBig;
 use rayon::prelude::*;
 
 use super::CertifyError;
-use super::complex::MeshView;
-use super::exact::{centre, cut_with_triangle, has_area, in_triangle, to_integers, weighted};
+use super::complex::{Boundary, MeshView};
+use super::exact::common_point;
 use super::observer::Observer;
 use super::pairs::BoxTree;
 use super::separate::{Named, Pair, PlaneName, PointName};
+use crate::mesh::{Connectivity, TriMesh};
 use crate::number::dyadic::scale_points;
 use crate::predicate::same_point;
 use crate::shell::{Layer, Shell};
@@ -61,6 +62,17 @@ struct Job<'a> {
     mesh: &'a MeshView<'a>,
     shell: &'a Shell,
     about: About,
+}
+
+/// All pairs of triangles of a mesh that share more than they may.
+pub(crate) fn self_crossings(
+    mesh: &TriMesh,
+    connectivity: &Connectivity,
+    observer: &dyn Observer,
+) -> Result<Vec<Crossing>, CertifyError> {
+    let boundary = Boundary::new(connectivity);
+    let view = MeshView { vertices: &mesh.vertices, faces: &mesh.faces, connectivity, boundary: &boundary };
+    Ok(decide(&view, &Shell::default(), About::Mesh, observer)?.crossings)
 }
 
 /// Decides C6. O((n + k) log n) for k pairs of boxes that meet.
@@ -165,15 +177,8 @@ pub(crate) fn crossing(
     a: [Named<'_>; 3],
     b: [Named<'_>; 3],
 ) -> Result<Crossing, CertifyError> {
-    let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
     let coordinates: Vec<[f64; 3]> = a.iter().chain(&b).map(|n| *n.at).collect();
     let (x, _) = scale_points(&coordinates);
-    let (first, second) = ([&x[0], &x[1], &x[2]], [&x[3], &x[4], &x[5]]);
-    let common = cut_with_triangle(second, first);
-    debug_assert!(!common.is_empty() || !has_area(&common));
-    let Some(centre) = centre(&common) else { return Err(broken) };
-    let in_second = to_integers(&centre);
-    let point = weighted(second, &in_second);
-    let Some(in_first) = in_triangle(&point, first) else { return Err(broken) };
-    Ok(Crossing { first: i, second: j, in_first: to_integers(&in_first), in_second })
+    let [in_first, in_second] = common_point([&x[0], &x[1], &x[2]], [&x[3], &x[4], &x[5]])?;
+    Ok(Crossing { first: i, second: j, in_first, in_second })
 }

@@ -5,8 +5,10 @@ use dashu_base::{Abs, Gcd, Sign as BigSign, Signed};
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
+use super::CertifyError;
 use super::clip::Mask;
 use crate::number::dyadic::scale_points;
+use crate::predicate::Sign;
 
 /// An integer vector.
 pub(crate) type Vec3 = [IBig; 3];
@@ -237,13 +239,13 @@ pub(crate) fn centre(polygon: &[Weights]) -> Option<[RBig; 3]> {
 }
 
 /// A point given by integer weights on integer points: `(x, y, z, w)` stands for `(x, y, z) / w`.
-pub(crate) fn weighted(points: [&Vec3; 3], weights: &Weights) -> [IBig; 4] {
+fn weighted(points: [&Vec3; 3], weights: &Weights) -> [IBig; 4] {
     let coordinate = |i: usize| points.iter().zip(weights).map(|(p, w)| &p[i] * w).sum::<IBig>();
     [coordinate(0), coordinate(1), coordinate(2), weights.iter().sum()]
 }
 
 /// Barycentric weights, with sum one, of a point of the plane of a triangle with area.
-pub(crate) fn in_triangle(point: &[IBig; 4], corners: [&Vec3; 3]) -> Option<[RBig; 3]> {
+fn in_triangle(point: &[IBig; 4], corners: [&Vec3; 3]) -> Option<[RBig; 3]> {
     let [a, b, c] = corners;
     let normal = cross(&minus(b, a), &minus(c, a));
     // Weight i is the area opposite corner i, measured along the normal: `normal . ((q - p) x (x - p))`.
@@ -252,4 +254,20 @@ pub(crate) fn in_triangle(point: &[IBig; 4], corners: [&Vec3; 3]) -> Option<[RBi
         dot(&normal, &cross(&minus(q, p), &offset))
     };
     normalised(&[weight(b, c), weight(c, a), weight(a, b)])
+}
+
+/// A point of both triangles, the first of which has area, by weights on the corners of each: the mean of the corners of
+/// their common part. It lies in the relative interior of that part, hence not in the face that common vertices span
+/// unless that is all.
+pub(crate) fn common_point(first: [&Vec3; 3], second: [&Vec3; 3]) -> Result<[[IBig; 3]; 2], CertifyError> {
+    let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
+    let Some(centre) = centre(&cut_with_triangle(second, first)) else { return Err(broken) };
+    let in_second = to_integers(&centre);
+    let Some(in_first) = in_triangle(&weighted(second, &in_second), first) else { return Err(broken) };
+    Ok([to_integers(&in_first), in_second])
+}
+
+/// The sign of an integer.
+pub(crate) fn sign(x: &IBig) -> Sign {
+    x.cmp(&IBig::ZERO).into()
 }

@@ -150,8 +150,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) order: &'a VertexOrder,
 }
 
-/// Decides claims about a shell and, except for `positivity` and `disjoint-prisms`, a mesh; the result does not depend on the number of
-/// threads.
+/// Decides claims about a shell and, except for `positivity` and `disjoint-prisms`, a mesh; the result does not depend
+/// on the number of threads.
 ///
 /// Time is linear up to logarithms in the size of the shell, the mesh and their overlay; memory likewise.
 ///
@@ -188,8 +188,13 @@ pub fn certify(
         let decide = || prisms::decide(shell, &order, observer);
         facts.prisms = Some(seconds.of(Claim::DisjointPrisms, decide)?);
     }
-    let claims =
-        wanted.iter().filter_map(|&c| Some(result(shell, c, facts.verdict(c)?, &facts, &seconds))).collect();
+    let decided = |&claim: &Claim| {
+        // A claim that fell out of the list would count as certified.
+        let verdict =
+            facts.verdict(claim).ok_or(CertifyError::Internal { what: "a claim without a verdict" })?;
+        Ok(result(shell, claim, verdict, &facts, &seconds))
+    };
+    let claims = wanted.iter().map(decided).collect::<Result<_, CertifyError>>()?;
     observer.stage("writing", None);
     let certificate = write::certificate(&subject, &facts);
     Ok(Outcome { claims, certificate })

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::exact::{Vec3, dot, minus};
+use super::exact::{Vec3, dot, minus, sign};
+use super::write::joined;
 use crate::number::dyadic::scale_points;
 use crate::predicate::{self, Axis, Sign};
 use crate::shell::Name;
@@ -36,13 +37,21 @@ pub enum PlaneName {
     Normal([PointName; 2]),
 }
 
+impl PlaneName {
+    /// The text in certificates, which name points in their own ways.
+    pub(crate) fn text(&self, name: impl Fn(&PointName) -> String) -> String {
+        let (kind, points): (char, &[PointName]) = match self {
+            Self::Through(points) => ('p', points),
+            Self::Line(points) => ('l', points),
+            Self::Normal(points) => ('n', points),
+        };
+        format!("{kind}:{}", joined(points.iter().map(name), ","))
+    }
+}
+
 impl fmt::Display for PlaneName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Through([a, b, c]) => write!(f, "p:{a},{b},{c}"),
-            Self::Line([a, b]) => write!(f, "l:{a},{b}"),
-            Self::Normal([a, b]) => write!(f, "n:{a},{b}"),
-        }
+        f.write_str(&self.text(ToString::to_string))
     }
 }
 
@@ -249,8 +258,4 @@ impl<P: ExactPoint> Pair<'_, P> {
             Some((PlaneName::Normal([p, q].map(|i| self.points[i].name)), left))
         })
     }
-}
-
-fn sign(x: &dashu_int::IBig) -> Sign {
-    x.cmp(&dashu_int::IBig::ZERO).into()
 }

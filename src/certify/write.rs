@@ -75,11 +75,15 @@ fn hash<'p>(points: impl Iterator<Item = &'p [f64; 3]>, faces: &[[u32; 3]]) -> S
     for v in faces.iter().flatten() {
         sha.update(v.to_le_bytes());
     }
-    let mut out = String::with_capacity(64);
-    for byte in sha.finalize() {
+    hex(&sha.finalize())
+}
+
+/// Bytes in hexadecimal.
+pub(crate) fn hex(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::with_capacity(2 * bytes.len()), |mut out, byte| {
         let _ = write!(out, "{byte:02x}");
-    }
-    out
+        out
+    })
 }
 
 /// The SHA-256 of a shell, as in certificates.

@@ -93,11 +93,7 @@ impl Args {
     }
 
     fn outputs(&self) -> Result<Outputs<'_>, CliError> {
-        let json = match &self.json {
-            None => Json::None,
-            Some(file) if file.as_os_str() == "-" => Json::Stdout,
-            Some(file) => Json::File(file.clone()),
-        };
+        let json = Json::of(self.json.clone());
         let mut taken: Vec<&Path> = self.files.iter().chain(&self.shell).map(PathBuf::as_path).collect();
         if let Some(directory) = &self.out {
             let mut there =

@@ -222,8 +222,10 @@ fn read(item: &Item) -> Result<Inputs, CliError> {
     let shell = match rest.first() {
         None => None,
         Some(path) => {
-            contents.push(read_regular(path)?);
-            Some(hdf5::read(path)?.shell)
+            let bytes = read_regular(path)?;
+            let shell = hdf5::parse(&path.display().to_string(), bytes.clone())?.shell;
+            contents.push(bytes);
+            Some(shell)
         }
     };
     Ok(Inputs { meshes, shell, contents })

@@ -77,7 +77,7 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     args.settle_shell();
     let json = match args.three.files() {
         // With three meshes there is no positional argument that `--json` could have taken.
-        Some(_) => Json::from_arguments(args.json.take(), &mut Some(PathBuf::new())),
+        Some(_) => Json::of(args.json.take()),
         None => Json::from_arguments(args.json.take(), &mut args.shell),
     };
     let claims = args.claims()?;

@@ -80,12 +80,8 @@ pub(super) fn self_check(certificate: &str, loaded: &Loaded) -> Result<Checked, 
     };
     let bytes =
         hdf5::to_bytes(&copy).map_err(|source| CliError::Encode { file: "memory".to_owned(), source })?;
-    let outcome = homeo_certs::check(certificate.as_bytes(), &[bytes]);
-    if outcome.exit == 0 {
-        Ok(Checked { converted: true })
-    } else {
-        Err(CliError::Disagreement(first_line(&outcome)))
-    }
+    accepted(certificate, &[bytes])?;
+    Ok(Checked { converted: true })
 }
 
 /// Lets the independent checker check a certificate against the contents of its inputs.

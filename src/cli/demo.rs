@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::CliError;
-use super::check::answer;
+use super::check::{answer, first_line};
 use super::output;
 use crate::certify::{Options, Outcome, Silent, VertexOrder, certify};
 use crate::construct::{dent, sample};
@@ -69,7 +69,7 @@ fn act(file: &ShellFile, name: &str, out: Option<&Path>, text: &mut String) -> R
         let _ = writeln!(text, "      {line}");
     }
     if checked.exit != 0 {
-        return Err(CliError::Disagreement(answer(&checked).lines().next().unwrap_or_default().to_owned()));
+        return Err(CliError::Disagreement(first_line(&checked)));
     }
     if let Some(dir) = out {
         for (name, bytes) in [(&shell_name, bytes.as_slice()), (&cert_name, outcome.certificate.as_bytes())] {

@@ -40,7 +40,7 @@ struct Report {
 /// Runs the command: 0 for a valid input, 1 for a shell that breaks an input condition.
 pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let json = match args.three.files() {
-        Some(_) => Json::from_arguments(args.json.take(), &mut Some(PathBuf::new())),
+        Some(_) => Json::of(args.json.take()),
         None => Json::from_arguments(args.json.take(), &mut args.shell),
     };
     let loaded = Loaded::read(args.shell.as_deref(), &args.three, None)?;

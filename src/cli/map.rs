@@ -87,11 +87,7 @@ const LISTED: usize = 16;
 
 /// Runs the command: 0 certified, 1 refuted.
 pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
-    let json = match &args.json {
-        None => Json::None,
-        Some(file) if file.as_os_str() == "-" => Json::Stdout,
-        Some(file) => Json::File(file.clone()),
-    };
+    let json = Json::of(args.json.clone());
     if let Some(file) = &args.correspondence {
         return by_correspondence(args, file, &json);
     }

@@ -53,12 +53,19 @@ impl Json {
     /// without the JSON file; when the positional argument is missing it is what `--json` took.
     pub(super) fn from_arguments(json: Option<PathBuf>, positional: &mut Option<PathBuf>) -> Self {
         match json {
-            None => Self::None,
-            Some(file) if file.as_os_str() == "-" => Self::Stdout,
-            Some(file) if positional.is_none() => {
+            Some(file) if file.as_os_str() != "-" && positional.is_none() => {
                 *positional = Some(file);
                 Self::Stdout
             }
+            json => Self::of(json),
+        }
+    }
+
+    /// From `--json FILE` alone, where no positional argument can be missing.
+    pub(super) fn of(json: Option<PathBuf>) -> Self {
+        match json {
+            None => Self::None,
+            Some(file) if file.as_os_str() == "-" => Self::Stdout,
             Some(file) => Self::File(file),
         }
     }

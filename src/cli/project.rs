@@ -58,7 +58,7 @@ struct Image {
 /// Runs the command: 0 when all points are in the shell, 1 when one is not.
 pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let json = match args.three.files() {
-        Some(_) => Json::from_arguments(args.json.take(), &mut Some(PathBuf::new())),
+        Some(_) => Json::of(args.json.take()),
         None => Json::from_arguments(args.json.take(), &mut args.shell),
     };
     let points = points(&args)?;

@@ -81,7 +81,7 @@ struct Report {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
-    let json = Json::from_arguments(args.json.clone(), &mut Some(PathBuf::new()));
+    let json = Json::of(args.json.clone());
     let format = Output::of(&args.output)?;
     if args.attributes.is_empty() && format != Output::Json {
         return Err(CliError::Usage(

@@ -1,10 +1,8 @@
 //! The input gate: what can be built on, or the exact reason why not.
 
-use crate::certify::complex::{Boundary, MeshView};
-use crate::certify::disjoint::{self, About};
+use crate::certify::disjoint::self_crossings;
 use crate::certify::{CertifyError, Crossing, Observer};
 use crate::mesh::{self, Connectivity, MeshError, TriMesh};
-use crate::shell::Shell;
 
 /// Why no shell is built.
 #[derive(Debug, thiserror::Error)]
@@ -98,19 +96,12 @@ pub(crate) fn check(
     if allow_self_intersections {
         return Ok(connectivity);
     }
-    let boundary = Boundary::new(&connectivity);
-    let view = MeshView {
-        vertices: &mesh.vertices,
-        faces: &mesh.faces,
-        connectivity: &connectivity,
-        boundary: &boundary,
-    };
-    let found = disjoint::decide(&view, &Shell::default(), About::Mesh, observer)?;
-    match found.crossings.first() {
+    let crossings = self_crossings(mesh, &connectivity, observer)?;
+    match crossings.first() {
         None => Ok(connectivity),
         Some(first) => Err(BuildError::SelfIntersecting {
             first: Box::new(first.clone()),
-            count: found.crossings.len() as u64,
+            count: crossings.len() as u64,
         }),
     }
 }

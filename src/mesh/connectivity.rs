@@ -377,17 +377,18 @@ impl Connectivity {
     }
 }
 
-/// Disjoint sets of `0..n`; each is represented by its smallest member.
-struct Sets {
+/// Disjoint sets of `0..n`; each is represented by its smallest member. `n` fits `u32`.
+pub(crate) struct Sets {
     parent: Vec<u32>,
 }
 
 impl Sets {
-    fn new(n: usize) -> Self {
+    pub(crate) fn new(n: usize) -> Self {
         Self { parent: (0..n).map(|i| i as u32).collect() }
     }
 
-    fn find(&mut self, mut i: u32) -> u32 {
+    /// The smallest member of the set.
+    pub(crate) fn find(&mut self, mut i: u32) -> u32 {
         while self.parent[i as usize] != i {
             let up = self.parent[self.parent[i as usize] as usize];
             self.parent[i as usize] = up;
@@ -396,7 +397,7 @@ impl Sets {
         i
     }
 
-    fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.parent[a.max(b) as usize] = a.min(b);
     }

@@ -83,16 +83,17 @@ fn broken(reason: &str, bytes: &[u8], position: u64) -> Located {
     Fault::BadHeader(format!("XML: {reason}")).at_line(line)
 }
 
-fn attribute(tag: &BytesStart<'_>, name: &str) -> Option<String> {
-    let value = tag.try_get_attribute(name).ok()??.value;
-    Some(value.into_owned())
+fn attribute(tag: &BytesStart<'_>, name: &str) -> Result<Option<String>, Fault> {
+    let found = tag.try_get_attribute(name).map_err(|e| Fault::BadHeader(format!("XML: {e}")))?;
+    Ok(found.map(|a| a.value.into_owned()))
 }
 
 impl Array {
     fn new(tag: &BytesStart<'_>, index: usize) -> Result<Self, Located> {
+        let attribute = |name: &str| attribute(tag, name).map_err(|f| f.at("array", index));
         let wanted = |name: &str| {
             let missing = || Fault::BadHeader(format!("the attribute {name} is missing")).at("array", index);
-            attribute(tag, name).ok_or_else(missing)
+            attribute(name)?.ok_or_else(missing)
         };
         let unsupported = |what: &str, value: &str| {
             Fault::Unsupported(format!("{what} {}", quote(value.as_bytes()))).at("array", index)
@@ -119,11 +120,16 @@ impl Array {
             "GZipBase64Binary" => Encoding::Compressed,
             other => return Err(unsupported("Encoding", other)),
         };
-        let mode = match (encoding, attribute(tag, "Endian").as_deref()) {
+        let mode = match (encoding, attribute("Endian")?.as_deref()) {
             (Encoding::Text, _) => Mode::Text,
             (_, Some("BigEndian")) => Mode::Big,
             (_, Some("LittleEndian")) => Mode::Little,
             (_, other) => return Err(unsupported("Endian", other.unwrap_or("(none)"))),
+        };
+        let by_columns = match attribute("ArrayIndexingOrder")?.as_deref() {
+            Some("ColumnMajorOrder") => true,
+            None | Some("RowMajorOrder") => false,
+            Some(other) => return Err(unsupported("ArrayIndexingOrder", other)),
         };
         let dimensions = size("Dimensionality")?;
         Ok(Self {
@@ -134,7 +140,7 @@ impl Array {
             encoding,
             rows: size("Dim0")?,
             columns: if dimensions > 1 { size("Dim1")? } else { 1 },
-            by_columns: attribute(tag, "ArrayIndexingOrder").as_deref() == Some("ColumnMajorOrder"),
+            by_columns,
             data: Vec::new(),
         })
     }

@@ -31,7 +31,7 @@ mod text;
 mod uv;
 mod validate;
 mod vtk;
-mod write;
+pub(crate) mod write;
 
 #[cfg(test)]
 mod tests;

@@ -23,6 +23,7 @@ pub struct UvMesh {
 
 /// Why texture coordinates are no positions of a surface's vertices.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum UvError {
     /// A vertex that has different texture coordinates in different triangles.
     #[error(
@@ -34,6 +35,12 @@ pub enum UvError {
         vertices: usize,
         /// The first of them.
         vertex: u32,
+    },
+    /// A triangle without texture coordinates, or with an index that is none.
+    #[error("triangle {triangle} has no texture coordinates, or an index out of range")]
+    Index {
+        /// The triangle.
+        triangle: usize,
     },
     /// More pairs than indices can name.
     #[error("the surface has too many corners")]
@@ -60,20 +67,30 @@ fn plane(uv: Vec<[f64; 2]>, faces: &[[u32; 3]]) -> Complex {
 }
 
 impl UvMesh {
+    /// Has every corner a vertex and a texture coordinate? Files that were read have; the fields are public.
+    fn check(&self) -> Result<(), UvError> {
+        let are_in = |ids: &[u32; 3], n: usize| ids.iter().all(|&i| (i as usize) < n);
+        let is_bad = |t: usize| match (self.mesh.faces.get(t), self.uv_faces.get(t)) {
+            (Some(face), Some(uv)) => !are_in(face, self.mesh.vertices.len()) || !are_in(uv, self.uv.len()),
+            _ => true,
+        };
+        let bad = (0..self.mesh.faces.len().max(self.uv_faces.len())).find(|&t| is_bad(t));
+        bad.map_or(Ok(()), |triangle| Err(UvError::Index { triangle }))
+    }
+
     /// The surface in space and in the plane. A vertex of no triangle is at the origin of the plane.
     ///
     /// # Errors
-    /// [`UvError::Seams`] if a vertex has two different places in the plane.
+    /// [`UvError::Seams`] if a vertex has two different places in the plane; [`UvError::Index`].
     pub fn whole(&self) -> Result<[Complex; 2], UvError> {
         let mut place: Vec<Option<[f64; 2]>> = vec![None; self.mesh.vertices.len()];
         let mut seams = Vec::new();
-        for (v, t) in self.mesh.faces.iter().flatten().zip(self.uv_faces.iter().flatten()) {
-            let (slot, uv) = (place.get_mut(*v as usize), self.uv.get(*t as usize));
-            if let (Some(slot), Some(uv)) = (slot, uv) {
-                let known = *slot.get_or_insert(*uv);
-                if known.iter().zip(uv).any(|(a, b)| a.partial_cmp(b) != Some(std::cmp::Ordering::Equal)) {
-                    seams.push(*v);
-                }
+        self.check()?;
+        for (&v, &t) in self.mesh.faces.iter().flatten().zip(self.uv_faces.iter().flatten()) {
+            let uv = self.uv[t as usize];
+            let known = *place[v as usize].get_or_insert(uv);
+            if known.iter().zip(&uv).any(|(a, b)| a.partial_cmp(b) != Some(std::cmp::Ordering::Equal)) {
+                seams.push(v);
             }
         }
         seams.sort_unstable();
@@ -89,8 +106,9 @@ impl UvMesh {
     /// texture coordinate, numbered by first use.
     ///
     /// # Errors
-    /// [`UvError::TooMany`].
+    /// [`UvError::TooMany`], [`UvError::Index`].
     pub fn cut(&self) -> Result<[Complex; 2], UvError> {
+        self.check()?;
         let mut ids: BTreeMap<(u32, u32), u32> = BTreeMap::new();
         let (mut points, mut uv, mut faces) = (Vec::new(), Vec::new(), Vec::new());
         for (face, uv_face) in self.mesh.faces.iter().zip(&self.uv_faces) {
@@ -99,8 +117,8 @@ impl UvMesh {
                 let next = u32::try_from(ids.len()).map_err(|_| UvError::TooMany)?;
                 *corner = *ids.entry((v, t)).or_insert(next);
                 if *corner == next {
-                    points.push(self.mesh.vertices.get(v as usize).copied().unwrap_or_default());
-                    uv.push(self.uv.get(t as usize).copied().unwrap_or_default());
+                    points.push(self.mesh.vertices[v as usize]);
+                    uv.push(self.uv[t as usize]);
                 }
             }
             faces.push(corners);

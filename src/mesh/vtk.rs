@@ -114,8 +114,8 @@ impl<'a> Reader<'a> {
         match word {
             b"POINTS" => self.read_points(),
             b"CELLS" => {
-                let lists = self.lists("cell")?;
-                self.lists = Some(lists);
+                self.once(self.lists.is_some(), "CELLS")?;
+                self.lists = Some(self.lists("cell")?);
                 Ok(())
             }
             b"CELL_TYPES" => self.read_types(),
@@ -141,12 +141,19 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// A second section of the name would take the place of the first.
+    fn once(&self, known: bool, name: &str) -> Result<(), Located> {
+        if known {
+            return Err(self.scan.fault(Fault::BadHeader(format!("there are two sections {name}"))));
+        }
+        Ok(())
+    }
+
     fn read_points(&mut self) -> Result<(), Located> {
         let count = self.scan.count("the number of points")?;
         countable("points", count).map_err(|f| self.scan.fault(f))?;
-        if std::mem::replace(&mut self.points, true) {
-            return Err(self.scan.fault(Fault::BadHeader("there are two sections POINTS".to_owned())));
-        }
+        self.once(self.points, "POINTS")?;
+        self.points = true;
         let kind = self.kind()?;
         self.begin_numbers();
         let each = 3 * kind.fewest_bytes(self.numbers);
@@ -166,6 +173,7 @@ impl<'a> Reader<'a> {
 
     fn read_types(&mut self) -> Result<(), Located> {
         let count = self.scan.count("the number of cell types")?;
+        self.once(self.types.is_some(), "CELL_TYPES")?;
         self.begin_numbers();
         let mut types = with_room(count, self.scan.rest().len(), Kind::I32.fewest_bytes(self.numbers));
         for i in 0..count {

@@ -107,7 +107,8 @@ fn obj(mesh: &TriMesh) -> Vec<u8> {
     out
 }
 
-fn off(mesh: &TriMesh) -> Vec<u8> {
+/// The text in OFF of any mesh, also of one that [`encode`] refuses.
+pub(crate) fn off(mesh: &TriMesh) -> Vec<u8> {
     let mut out = Vec::new();
     put!(out, "OFF\n{} {} 0\n", mesh.vertices.len(), mesh.faces.len());
     put_indexed(&mut out, mesh);

@@ -51,7 +51,7 @@ pub struct BuildReport {
     pub stopped: bool,
     /// The options.
     pub options: OptionsReport,
-    /// All six claims, in the order of [`Claim::ALL`].
+    /// The claims of [`Claim::STANDARD`], in this order, then `disjoint-prisms` with `--no-overlap`.
     pub claims: Vec<ClaimReport>,
     /// The certificate file; `null` if none was written.
     pub certificate: Option<String>,

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 use rayon::prelude::*;
 
 use super::super::CertifyError;
-use super::super::exact::{centre, cut_with_triangle, in_triangle, to_integers, weighted};
+use super::super::exact::common_point;
 use super::super::observer::Observer;
 use super::super::pairs::BoxTree;
 use super::super::separate::{Named, Pair, PlaneName, PointName};
@@ -90,12 +90,7 @@ fn meeting(
     first: [[f64; 3]; 3],
     second: [[f64; 3]; 3],
 ) -> Result<Meeting, CertifyError> {
-    let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
     let (x, _) = scale_points(&[first, second].concat());
-    let [a, b, c, d, e, f] = x.as_slice() else { return Err(broken) };
-    let Some(centre) = centre(&cut_with_triangle([d, e, f], [a, b, c])) else { return Err(broken) };
-    let in_second = to_integers(&centre);
-    let point = weighted([d, e, f], &in_second);
-    let Some(in_first) = in_triangle(&point, [a, b, c]) else { return Err(broken) };
-    Ok(Meeting { triangles, weights: [to_integers(&in_first), in_second] })
+    let weights = common_point([&x[0], &x[1], &x[2]], [&x[3], &x[4], &x[5]])?;
+    Ok(Meeting { triangles, weights })
 }

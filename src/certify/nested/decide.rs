@@ -134,18 +134,10 @@ fn connectivity(mesh: &TriMesh) -> Result<Connectivity, PlError> {
 
 /// A plane through points of both surfaces.
 fn plane(plane: &PlaneName) -> String {
-    let points = |points: &[PointName]| {
-        let names = points.iter().map(|p| match p {
-            PointName::Mesh(v) => format!("a{v}"),
-            PointName::Shell(name) => format!("b{}", name.vertex),
-        });
-        joined(names, ",")
-    };
-    match plane {
-        PlaneName::Through(p) => format!("p:{}", points(p)),
-        PlaneName::Line(p) => format!("l:{}", points(p)),
-        PlaneName::Normal(p) => format!("n:{}", points(p)),
-    }
+    plane.text(|point| match point {
+        PointName::Mesh(v) => format!("a{v}"),
+        PointName::Shell(name) => format!("b{}", name.vertex),
+    })
 }
 
 fn ray_line(word: &str, ray: &Ray) -> String {

@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 
 use super::super::CertifyError;
-use super::super::exact::{Vec3, cross, dot, minus};
+use super::super::exact::{Vec3, cross, dot, minus, sign};
 use crate::mesh::TriMesh;
 use crate::number::dyadic::scale_points;
 use crate::predicate::Sign;
@@ -114,8 +114,4 @@ fn hit(start: &[f64; 3], direction: [i32; 3], corners: &[[f64; 3]; 3]) -> Hit {
         Sign::Positive if away(Sign::Zero) => Hit::Degenerate,
         Sign::Positive => Hit::Proper(if steep.is_positive() { 1 } else { -1 }),
     }
-}
-
-fn sign(x: &IBig) -> Sign {
-    x.cmp(&IBig::ZERO).into()
 }

@@ -2,8 +2,9 @@
 
 use super::super::CertifyError;
 use super::super::claim::Verdict;
-use super::super::pl::{Input, PlError, Witness, decide, facets::Parts, sound};
+use super::super::pl::{Input, PlError, Witness, decide, sound};
 use super::document::Document;
+use crate::mesh::connectivity::Sets;
 use crate::mesh::{Complex, Connectivity, TriMesh};
 
 /// What a component is up to homeomorphism, given that it is an oriented manifold.
@@ -43,7 +44,7 @@ pub fn component_facts(mesh: &TriMesh, connectivity: &Connectivity) -> Vec<Compo
         let component = edge.sides.first().map_or(0, |s| connectivity.component(s.face()));
         out[component as usize].euler_characteristic -= 1;
     }
-    let mut loops = Parts::new(mesh.vertices.len());
+    let mut loops = Sets::new(mesh.vertices.len());
     let mut ends = Vec::new();
     for side in connectivity.boundary() {
         let [u, w] = connectivity.ends(side);
@@ -52,7 +53,7 @@ pub fn component_facts(mesh: &TriMesh, connectivity: &Connectivity) -> Vec<Compo
     }
     for (v, component) in ends {
         // Each boundary vertex of a manifold starts one boundary side, so each loop has one root among them.
-        if loops.root(v) == v {
+        if loops.find(v) == v {
             out[component as usize].boundary_loops += 1;
         }
     }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use super::super::CertifyError;
-use super::super::exact::{centre, cut_with_triangle, in_triangle, to_integers, weighted};
+use super::super::exact::common_point;
 use super::super::observer::Observer;
 use super::super::pairs::BoxTree;
 use super::super::separate::{Named, Pair, PlaneName, PointName};
@@ -94,18 +94,11 @@ impl Apart {
     }
 }
 
-/// The mean of the corners of the common part: it lies in the relative interior of that part, hence not in the face
-/// that the common vertices span unless that is all.
+/// Two triangles with a common point, as a witness about the cells that they bound or are.
 fn crossing<P: Point>(s: &Triangle, t: &Triangle, points: &[P]) -> Result<Witness, CertifyError> {
-    let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
     let all: Vec<&P> = s.vertices.iter().chain(&t.vertices).map(|&v| &points[v as usize]).collect();
     let x = P::integers(&all);
-    let [a, b, c, d, e, f] = x.as_slice() else { return Err(broken) };
-    let (first, second) = ([a, b, c], [d, e, f]);
-    let Some(centre) = centre(&cut_with_triangle(second, first)) else { return Err(broken) };
-    let in_second = to_integers(&centre);
-    let point = weighted(second, &in_second);
-    let Some(in_first) = in_triangle(&point, first) else { return Err(broken) };
+    let [in_first, in_second] = common_point([&x[0], &x[1], &x[2]], [&x[3], &x[4], &x[5]])?;
     let spread = |t: &Triangle, weights: [IBig; 3]| {
         let mut out = vec![IBig::ZERO; t.k];
         for (place, w) in t.places.into_iter().zip(weights) {
@@ -113,7 +106,7 @@ fn crossing<P: Point>(s: &Triangle, t: &Triangle, points: &[P]) -> Result<Witnes
         }
         out
     };
-    let mut sides = [(s.cell, spread(s, to_integers(&in_first))), (t.cell, spread(t, in_second))];
+    let mut sides = [(s.cell, spread(s, in_first)), (t.cell, spread(t, in_second))];
     sides.sort_by_key(|(cell, _)| *cell);
     let [(i, w), (j, y)] = sides;
     Ok(Witness::Cross([i, j], [w, y]))

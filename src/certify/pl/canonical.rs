@@ -40,7 +40,7 @@ fn dyadic(x: &Dyadic) -> String {
 }
 
 fn float(x: f64) -> String {
-    // Readers let finite numbers pass only.
+    // `decide::facets` lets finite numbers pass only.
     Dyadic::from_f64(x).map_or_else(|| "0".to_owned(), |x| dyadic(&x))
 }
 

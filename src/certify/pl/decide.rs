@@ -39,6 +39,12 @@ pub enum PlError {
     /// Two inputs that differ in a cell.
     #[error("the inputs are not one complex: they differ in cell {0}")]
     Cells(usize),
+    /// A coordinate that is no number.
+    #[error("vertex {vertex}: a coordinate is not finite")]
+    NotFinite {
+        /// The vertex.
+        vertex: usize,
+    },
     /// A number that certificates do not hold.
     #[error("vertex {vertex}: a coordinate has more than 4000 digits, which no certificate may have")]
     Digits {
@@ -111,6 +117,7 @@ pub fn pl_homeomorphism(a: &Complex, b: &Complex, observer: &dyn Observer) -> Re
         return Err(PlError::Cells(i));
     }
     let facets = facets(a)?;
+    check_positions(&b.positions)?;
     let defect = sound::defect(&facets, a.positions.len());
     let one = |complex: &Complex, known: Option<&Witness>| match known {
         // The cells are the same: one witness does for both.
@@ -170,12 +177,21 @@ pub(in crate::certify) fn facets(complex: &Complex) -> Result<Facets<'_>, PlErro
         let (cell, vertex) = (i / cells.corners(), cells.flat()[i]);
         return Err(PlError::Index { cell, vertex, vertices });
     }
-    if let Positions::Exact(points) = &complex.positions
-        && let Some(vertex) = points.iter().position(|p| p.iter().any(is_long))
-    {
-        return Err(PlError::Digits { vertex });
-    }
+    check_positions(&complex.positions)?;
     Ok(Facets::new(cells))
+}
+
+fn check_positions(positions: &Positions) -> Result<(), PlError> {
+    match positions {
+        Positions::Float(points) => {
+            let odd = points.iter().position(|p| p.iter().any(|x| !x.is_finite()));
+            odd.map_or(Ok(()), |vertex| Err(PlError::NotFinite { vertex }))
+        }
+        Positions::Exact(points) => {
+            let long = points.iter().position(|p| p.iter().any(is_long));
+            long.map_or(Ok(()), |vertex| Err(PlError::Digits { vertex }))
+        }
+    }
 }
 
 /// Numbers below `2^BITS` have at most 4000 digits.

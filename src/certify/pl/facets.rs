@@ -1,6 +1,7 @@
 //! Facets of cells, and what hangs together across them: from indices alone.
 
 use crate::mesh::Cells;
+use crate::mesh::connectivity::Sets;
 
 /// The corners of a facet in ascending order; edges have [`NONE`] as the third.
 pub(in crate::certify) type Key = [u32; 3];
@@ -11,32 +12,6 @@ pub(in crate::certify) const NONE: u32 = u32::MAX;
 /// Facets as corners of their cell, in orientation order.
 const OF_TRIANGLE: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 const OF_TET: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
-
-/// A partition of `0..n`.
-pub(in crate::certify) struct Parts {
-    parent: Vec<u32>,
-}
-
-impl Parts {
-    pub(in crate::certify) fn new(n: usize) -> Self {
-        Self { parent: (0..u32::try_from(n).unwrap_or(u32::MAX)).collect() }
-    }
-
-    /// The smallest member of the part.
-    pub(in crate::certify) fn root(&mut self, mut i: u32) -> u32 {
-        while self.parent[i as usize] != i {
-            let up = self.parent[self.parent[i as usize] as usize];
-            self.parent[i as usize] = up;
-            i = up;
-        }
-        i
-    }
-
-    pub(in crate::certify) fn join(&mut self, i: u32, j: u32) {
-        let (i, j) = (self.root(i), self.root(j));
-        self.parent[i.max(j) as usize] = i.min(j);
-    }
-}
 
 /// All facets of a list of cells, sorted by their vertices. Facet `k` of cell `c` has the number `K c + k`.
 pub(in crate::certify) struct Facets<'a> {
@@ -107,13 +82,13 @@ impl<'a> Facets<'a> {
 
     /// The smallest cell of each cell's component.
     pub(in crate::certify) fn components(&self) -> Vec<u32> {
-        let mut parts = Parts::new(self.cells.len());
+        let mut parts = Sets::new(self.cells.len());
         for group in self.groups() {
             for pair in group.windows(2) {
                 parts.join(self.cell(pair[0].1), self.cell(pair[1].1));
             }
         }
-        (0..self.cells.len() as u32).map(|c| parts.root(c)).collect()
+        (0..self.cells.len() as u32).map(|c| parts.find(c)).collect()
     }
 
     /// The smallest facet of every boundary component: facets joined at vertices (triangles) or edges (tets).
@@ -130,10 +105,10 @@ impl<'a> Facets<'a> {
             }
         }
         joints.sort_unstable();
-        let mut parts = Parts::new(boundary.len());
+        let mut parts = Sets::new(boundary.len());
         for pair in joints.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
             parts.join(pair[0].1, pair[1].1);
         }
-        (0..boundary.len() as u32).filter(|&i| parts.root(i) == i).map(|i| boundary[i as usize]).collect()
+        (0..boundary.len() as u32).filter(|&i| parts.find(i) == i).map(|i| boundary[i as usize]).collect()
     }
 }

@@ -36,10 +36,12 @@ pub(super) fn crossings<P: Point>(
         let near = tree.meeting(&corners[i].iter().collect::<Vec<_>>());
         for j in near.into_iter().map(|j| j as usize).filter(|&j| j > i) {
             pairs += 1;
-            let weights = common_point(*edge, ends[j], points);
-            let weights = weights.and_then(|[w, x]| Some([shortest(&w)?, shortest(&x)?]));
-            if let Some(weights) = weights {
-                out.extend(witness(facets, [boundary[i], boundary[j]], weights));
+            if let Some([w, x]) = common_point(*edge, ends[j], points) {
+                // Edges of cells that are not flat have a length: without one a crossing would be lost here.
+                let weights = shortest(&w).zip(shortest(&x));
+                let (w, x) =
+                    weights.ok_or(CertifyError::Internal { what: "a boundary edge without length" })?;
+                out.push(witness(facets, [boundary[i], boundary[j]], &[w, x]));
             }
         }
     }
@@ -103,18 +105,16 @@ fn on_one_line(first: [u32; 2], second: [u32; 2], [a, b, c, d]: [&Vec3; 4]) -> O
 }
 
 /// Weights on the cells' corners.
-fn witness(facets: &Facets<'_>, edges: [u32; 2], weights: [[IBig; 2]; 2]) -> Option<Witness> {
-    let mut sides: Vec<(u32, Vec<IBig>)> = Vec::new();
-    for (edge, pair) in edges.into_iter().zip(weights) {
+fn witness(facets: &Facets<'_>, edges: [u32; 2], weights: &[[IBig; 2]; 2]) -> Witness {
+    let side = |edge: u32, pair: &[IBig; 2]| {
         let mut out = vec![IBig::ZERO; 3];
         for (place, w) in facets.places(edge).iter().zip(pair) {
-            out[*place] = w;
+            out[*place] = w.clone();
         }
-        sides.push((facets.cell(edge), out));
-    }
+        (facets.cell(edge), out)
+    };
+    let mut sides = [side(edges[0], &weights[0]), side(edges[1], &weights[1])];
     sides.sort_by_key(|(cell, _)| *cell);
-    match <[_; 2]>::try_from(sides) {
-        Ok([(i, w), (j, x)]) => Some(Witness::Cross([i, j], [w, x])),
-        Err(_) => None,
-    }
+    let [(i, w), (j, x)] = sides;
+    Witness::Cross([i, j], [w, x])
 }

@@ -2,7 +2,7 @@
 
 use dashu_int::IBig;
 
-use super::super::exact::Vec3;
+use super::super::exact::{Vec3, sign};
 use super::super::separate::ExactPoint;
 use crate::number::{Rat, Rational};
 use crate::predicate::{Axis, Sign};
@@ -38,10 +38,6 @@ impl Homogeneous {
     fn is_above(&self, other: &Self, axis: usize) -> bool {
         &self.x[axis] * &other.w > &other.x[axis] * &self.w
     }
-}
-
-fn sign(x: &IBig) -> Sign {
-    x.cmp(&IBig::ZERO).into()
 }
 
 impl ExactPoint for Homogeneous {

@@ -1,7 +1,8 @@
 //! Is a complex a compact oriented manifold (*sound* in `certs/MESHES.md`)? Positions play no part.
 
-use super::facets::{Facets, NONE, Parts};
+use super::facets::{Facets, NONE};
 use super::witness::Witness;
+use crate::mesh::connectivity::Sets;
 
 /// One reason of the first kind for which a complex is not sound, or `None`. O(M log M).
 pub(in crate::certify) fn defect(facets: &Facets<'_>, vertices: usize) -> Option<Witness> {
@@ -55,7 +56,7 @@ fn place(facets: &Facets<'_>, cell: u32, vertex: u32) -> usize {
 fn loose_vertex(facets: &Facets<'_>, vertices: usize) -> Option<Witness> {
     let k = facets.k();
     let corner = |cell: u32, v: u32| cell * k as u32 + place(facets, cell, v) as u32;
-    let mut parts = Parts::new(facets.cells.len() * k);
+    let mut parts = Sets::new(facets.cells.len() * k);
     for group in facets.groups().filter(|g| g.len() == 2) {
         let [c, d] = [group[0].1, group[1].1].map(|f| facets.cell(f));
         for v in facets.vertices(group[0].1) {
@@ -64,7 +65,7 @@ fn loose_vertex(facets: &Facets<'_>, vertices: usize) -> Option<Witness> {
     }
     let mut first: Vec<Option<u32>> = vec![None; vertices];
     for (i, &v) in facets.cells.flat().iter().enumerate() {
-        let root = parts.root(i as u32);
+        let root = parts.find(i as u32);
         let known = *first[v as usize].get_or_insert(root);
         if known != root {
             // The root is the smallest corner of its fan: its cell comes first.
@@ -95,7 +96,7 @@ fn edges(facets: &Facets<'_>) -> Vec<([u32; 2], u32)> {
 }
 
 fn loose_edge(facets: &Facets<'_>) -> Option<Witness> {
-    let mut parts = Parts::new(6 * facets.cells.len());
+    let mut parts = Sets::new(6 * facets.cells.len());
     for group in facets.groups().filter(|g| g.len() == 2) {
         let [c, d] = [group[0].1, group[1].1].map(|f| facets.cell(f));
         for i in 0..6 {
@@ -108,7 +109,7 @@ fn loose_edge(facets: &Facets<'_>) -> Option<Witness> {
         }
     }
     edges(facets).windows(2).find_map(|w| {
-        let loose = w[0].0 == w[1].0 && parts.root(w[0].1) != parts.root(w[1].1);
+        let loose = w[0].0 == w[1].0 && parts.find(w[0].1) != parts.find(w[1].1);
         loose.then(|| Witness::Edge(w[0].0, [w[0].1 / 6, w[1].1 / 6]))
     })
 }

@@ -238,3 +238,25 @@ fn correspondences() {
     folded.push(place(0, [1, 0, 1]));
     assert_eq!(map_by_correspondence(&a, &b, &folded).unwrap(), Mapped::Fold([0, 2]));
 }
+
+#[test]
+fn coordinates_that_are_no_numbers_have_no_verdict() {
+    let mut points = CORNERS;
+    points[3][1] = f64::NAN;
+    let bad = tets(&points, &TWO);
+    let wanted = "vertex 3: a coordinate is not finite";
+    assert_eq!(side_facts(&bad, &Silent).unwrap_err().to_string(), wanted);
+    assert_eq!(pl_homeomorphism(&tets(&CORNERS, &TWO), &bad, &Silent).unwrap_err().to_string(), wanted);
+}
+
+#[test]
+fn numbers_that_no_certificate_may_have_are_found_in_either_input() {
+    let a = tets(&CORNERS, &TWO);
+    let mut long = thirds(&a);
+    let Positions::Exact(points) = &mut long.positions else { panic!("rational numbers") };
+    points[4][0] = Rat::from_scaled(1, -14_000);
+    for (first, second) in [(&a, &long), (&long, &a)] {
+        let refused = pl_homeomorphism(first, second, &Silent).unwrap_err().to_string();
+        assert!(refused.starts_with("vertex 4: a coordinate has more than 4000 digits"), "{refused}");
+    }
+}

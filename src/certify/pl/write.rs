@@ -6,7 +6,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::super::claim::Verdict;
 use super::super::separate::{PlaneName, PointName};
-use super::super::write::joined;
+use super::super::write::{hex, joined};
 use super::decide::Side;
 use super::witness::Input;
 use crate::mesh::Complex;
@@ -16,10 +16,7 @@ pub(in crate::certify) const LINES: usize = 100;
 
 /// One line about an input, with the hash of its complex file.
 pub(in crate::certify) fn input(name: Input, complex: &Complex, text: &str) -> String {
-    let mut hash = String::new();
-    for byte in Sha256::digest(text.as_bytes()) {
-        let _ = write!(hash, "{byte:02x}");
-    }
+    let hash = hex(&Sha256::digest(text.as_bytes()));
     format!(
         "input {name} {hash} {} {} {} {}\n",
         complex.space.dimension(),
@@ -30,18 +27,10 @@ pub(in crate::certify) fn input(name: Input, complex: &Complex, text: &str) -> S
 }
 
 pub(in crate::certify) fn plane(input: Input, plane: &PlaneName) -> String {
-    let points = |points: &[PointName]| {
-        let names = points.iter().map(|p| match p {
-            PointName::Mesh(v) => format!("{input}{v}"),
-            PointName::Shell(name) => name.to_string(),
-        });
-        joined(names, ",")
-    };
-    match plane {
-        PlaneName::Through(p) => format!("p:{}", points(p)),
-        PlaneName::Line(p) => format!("l:{}", points(p)),
-        PlaneName::Normal(p) => format!("n:{}", points(p)),
-    }
+    plane.text(|point| match point {
+        PointName::Mesh(v) => format!("{input}{v}"),
+        PointName::Shell(name) => name.to_string(),
+    })
 }
 
 /// The whole file.

@@ -201,9 +201,11 @@ impl Search<'_> {
 
     fn enclosure(self) -> Result<Distance, BuildError> {
         // A valid shell has a prism, whose bound was compared with its own point.
-        let (low, prism, weights, triangle) = self.lower.ok_or(CertifyError::Cancelled)?;
+        let lost = |what| CertifyError::Internal { what };
+        let (low, prism, weights, triangle) = self.lower.ok_or_else(|| lost("a distance without a point"))?;
         let size = self.scene.size;
-        let high = Rat::from_f64(self.upper).unwrap_or_else(Rat::zero).times(&Rat::from_scaled(1, 2 * size));
+        let upper = Rat::from_f64(self.upper).ok_or_else(|| lost("a distance without a bound"))?;
+        let high = upper.times(&Rat::from_scaled(1, 2 * size));
         let high = high.max(low.clone());
         let point = self.scene.exact(prism, &weights);
         Ok(Distance {

@@ -53,7 +53,7 @@ pub enum CheckpointError {
     OtherMesh,
     /// It belongs to other options.
     #[error(
-        "the checkpoint is of other options (thickness, energy, angle, polishing or seed); give those, or remove it to start anew"
+        "the checkpoint is of other options (thickness, energy, angle, polishing, seed or overlaps); give those, or remove it to start anew"
     )]
     OtherOptions,
     /// Not what was written.

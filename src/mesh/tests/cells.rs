@@ -402,6 +402,10 @@ fn faults_are_named_with_their_place() {
         vtk(&format!("{one}CELLS 1 9\n3 0 1 2\nCELL_TYPES 1\n5\n"))
             .contains("9 numbers of cells are announced, 4 found")
     );
+    let cells = "CELLS 1 4\n3 0 1 2\n";
+    assert!(vtk(&format!("{one}{cells}{cells}CELL_TYPES 1\n5\n")).contains("there are two sections CELLS"));
+    let types = "CELL_TYPES 1\n5\n";
+    assert!(vtk(&format!("{one}{cells}{types}{types}")).contains("there are two sections CELL_TYPES"));
     let nodes = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n1 1 0 0\n$EndNodes\n";
     assert_eq!(case(nodes, Format::Gmsh), "test:7: two nodes have the tag 1");
     assert!(
@@ -418,6 +422,16 @@ fn faults_are_named_with_their_place() {
     let bomb = "<GIFTI><DataArray Intent=\"NIFTI_INTENT_POINTSET\" DataType=\"NIFTI_TYPE_FLOAT32\" Dimensionality=\"2\" \
         Dim0=\"4000000000\" Dim1=\"3\" Encoding=\"Base64Binary\" Endian=\"LittleEndian\"><Data>AAAA</Data></DataArray></GIFTI>";
     assert!(case(bomb, Format::Gifti).starts_with("test: array 0: expected 48000000000 bytes of numbers"));
+    // Read by rows, a file by columns would be another surface: an order that is not understood is no default.
+    let ordered = |order: &str| {
+        let text = String::from_utf8(gifti("ASCII")).unwrap();
+        case(&text.replacen("ArrayIndexingOrder=\"RowMajorOrder\"", order, 1), Format::Gifti)
+    };
+    assert_eq!(
+        ordered("ArrayIndexingOrder=\"Columns\""),
+        "test: array 0: ArrayIndexingOrder \"Columns\" is not supported"
+    );
+    assert!(ordered("ArrayIndexingOrder=ColumnMajorOrder").starts_with("test: array 0: XML: "));
 }
 
 #[test]
@@ -439,4 +453,12 @@ fn texture_coordinates() {
     assert_eq!((space.positions.len(), plane.cells), (5, Cells::Triangles(vec![[0, 1, 2], [3, 2, 4]])));
     let missing = obj::parse_uv(b"v 0 0 0\nf 1 1 1\n").unwrap_err().reading("test").to_string();
     assert_eq!(missing, "test:2: expected a face corner with a texture coordinate, found \"1\"");
+    let mut holed = obj::parse_uv(square.as_bytes()).unwrap();
+    holed.uv.pop();
+    assert_eq!(
+        (holed.whole(), holed.cut()),
+        (Err(UvError::Index { triangle: 1 }), Err(UvError::Index { triangle: 1 }))
+    );
+    holed.uv_faces.pop();
+    assert_eq!(holed.cut(), Err(UvError::Index { triangle: 1 }));
 }

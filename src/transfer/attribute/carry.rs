@@ -91,7 +91,7 @@ fn sample(
 /// exact, too, and rounded once. The samples must be points of this source.
 ///
 /// # Errors
-/// [`AttributeError`]: values for another mesh, or labels on corners.
+/// [`AttributeError`]: values for another mesh, numbers that are not finite, or labels on corners.
 pub fn carry(
     attribute: &Attribute,
     source: &TriMesh,
@@ -105,6 +105,11 @@ pub fn carry(
     let (found, name) = (attribute.values.len(), attribute.name.clone());
     if found != expected {
         return Err(AttributeError::Count { name, domain: attribute.domain, expected, found });
+    }
+    if let Values::Numbers { width, data, .. } = &attribute.values
+        && let Some(i) = data.iter().position(|x| !x.is_finite())
+    {
+        return Err(AttributeError::NotFinite { name, element: i / width.max(&1) });
     }
     let corners = |s: &Sample| match attribute.domain {
         Domain::Corner => [0, 1, 2].map(|k| 3 * s.face as usize + k),
@@ -139,6 +144,7 @@ fn interpolate(weights: &Weights, values: [f64; 3]) -> f64 {
         }
         Weights::Float(w) => w.iter().zip(values).map(|(w, x)| w * x).sum(),
         Weights::Exact(w) => {
+            // `carry` has seen that the values are finite.
             let term = |(w, x): (&Rat, f64)| w * Rat::try_from(x).unwrap_or_default();
             w.iter().zip(values).map(term).fold(Rat::ZERO, |sum, x| sum + x).to_f64().value()
         }

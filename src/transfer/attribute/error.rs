@@ -40,6 +40,14 @@ pub enum AttributeError {
         /// How many have a value.
         found: usize,
     },
+    /// A value that cannot be interpolated.
+    #[error("attribute {name}: a number of element {element} is not finite")]
+    NotFinite {
+        /// The attribute.
+        name: String,
+        /// The vertex, triangle or corner.
+        element: usize,
+    },
     /// Corner values that cannot be interpolated.
     #[error("attribute {name}: labels on the corners of triangles are not carried")]
     CornerLabels {

@@ -235,3 +235,18 @@ fn a_loose_vertex_is_named() {
     let vertex = b.vertices.len() - 1;
     assert_eq!(Samples::new(&transfer, &b, false), Err(AttributeError::LooseVertex { vertex }));
 }
+
+#[test]
+fn numbers_that_are_not_finite_are_not_carried() {
+    let (shell, a, b) = generated();
+    let projection = Projection::new(&shell, &VertexOrder::Id).unwrap();
+    let transfer = Transfer::new(&projection, &a, &b).unwrap();
+    let mut data = vec![1.0; 2 * a.vertices.len()];
+    data[7] = f64::NAN;
+    let bad = Attribute { name: "x".to_owned(), domain: Domain::Vertex, values: numbers(2, &data) };
+    for exact in [false, true] {
+        let samples = Samples::new(&transfer, &b, exact).unwrap();
+        let refused = carry(&bad, &a, &samples);
+        assert_eq!(refused, Err(AttributeError::NotFinite { name: "x".to_owned(), element: 3 }));
+    }
+}
