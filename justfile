@@ -34,9 +34,10 @@ scaling *sizes:
 verify-shells:
     reference/verify_shells.sh
 
-# Fuzz one target for a minute (needs cargo-fuzz and a nightly toolchain)
-fuzz target="certificate":
-    cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time=60
+# Fuzz one target (needs cargo-fuzz and a nightly toolchain)
+fuzz target="certificate" seconds="60":
+    cargo run --quiet --manifest-path fuzz/Cargo.toml --example seeds
+    cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
 # A long run of random small shells against the brute-force oracle
 campaign cases="50000":

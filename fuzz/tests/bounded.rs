@@ -3,15 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-/// A small generator: the same mutations on every machine.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).unwrap_or(0) % bound.max(1)
-    }
-}
+use homeo_fuzz::{Random, seeds};
 
 /// One to four random edits: a bit flip, a byte, a removal, a copied run, a cut.
 fn mutated(seed: &[u8], random: &mut Random) -> Vec<u8> {
@@ -34,54 +26,91 @@ fn mutated(seed: &[u8], random: &mut Random) -> Vec<u8> {
     out
 }
 
-fn run(name: &str, target: fn(&[u8]), seeds: &[Vec<u8>], rounds: usize) {
+fn run(name: &str, rounds: usize) {
+    let (_, target) = homeo_fuzz::TARGETS.into_iter().find(|(n, _)| *n == name).unwrap();
     let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("regressions").join(name);
     for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
         target(&fs::read(entry.path()).unwrap());
     }
+    let seeds = seeds(name);
+    seeds.iter().for_each(|seed| target(seed));
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     for round in 0..rounds {
         target(&mutated(&seeds[round % seeds.len()], &mut random));
     }
 }
 
-fn corpus(case: &str, file: &str) -> Vec<u8> {
-    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../certs/corpus").join(case).join(file)).unwrap()
+#[test]
+fn mesh() {
+    run("mesh", 20_000);
 }
 
 #[test]
-fn meshes() {
-    let off = corpus("patch", "mesh.off");
-    let mesh = homeo::mesh::parse(&off, homeo::mesh::Format::Off, "seed").unwrap().mesh;
-    let formats = [
-        homeo::mesh::Format::Obj,
-        homeo::mesh::Format::PlyAscii,
-        homeo::mesh::Format::PlyBinaryLe,
-        homeo::mesh::Format::StlAscii,
-        homeo::mesh::Format::StlBinary,
-    ];
-    let mut seeds = vec![off];
-    seeds.extend(formats.iter().map(|f| homeo::mesh::encode(&mesh, *f, "seed").unwrap()));
-    run("mesh", homeo_fuzz::mesh, &seeds, 20_000);
+fn complex() {
+    run("complex", 20_000);
 }
 
 #[test]
-fn shells() {
-    let part = |f| homeo::mesh::parse(&corpus("patch", f), homeo::mesh::Format::Off, f).unwrap().mesh;
-    let shell = homeo::shell::three::from_meshes(part("bottom.off"), part("middle.off"), part("top.off")).unwrap();
-    let file = homeo::shell::hdf5::ShellFile {
-        shell,
-        mesh: Some(part("mesh.off")),
-        tracks: None,
-        meta_edges: None,
-        metadata: None,
-        notes: Vec::new(),
-    };
-    run("shell", homeo_fuzz::shell, &[homeo::shell::hdf5::to_bytes(&file).unwrap()], 20_000);
+fn shell() {
+    run("shell", 20_000);
 }
 
 #[test]
-fn certificates() {
-    let seeds = ["patch", "patch-order", "ball", "monodromy", "closed-tet"].map(|c| corpus(c, "control.cert"));
-    run("certificate", homeo_fuzz::certificate, &seeds, 5_000);
+fn certificate() {
+    run("certificate", 5_000);
+}
+
+#[test]
+fn document() {
+    run("document", 5_000);
+}
+
+#[test]
+fn checkers() {
+    run("checkers", 400);
+}
+
+#[test]
+fn signs() {
+    run("signs", 100_000);
+}
+
+#[test]
+fn verdict() {
+    run("verdict", 400);
+}
+
+#[test]
+fn projection() {
+    run("projection", 2_000);
+}
+
+/// A seed that is refused at once would test nothing.
+#[test]
+fn seeds_are_what_the_targets_take() {
+    let formats = homeo::mesh::Format::READ_ONLY;
+    let is_read =
+        |seed: &Vec<u8>| formats.iter().any(|f| homeo::mesh::parse_complex(seed, *f, "seed").is_ok());
+    let unread: Vec<usize> =
+        seeds("complex").iter().enumerate().filter(|(_, s)| !is_read(s)).map(|(i, _)| i).collect();
+    assert!(unread.is_empty(), "{unread:?}");
+    assert_eq!(seeds("complex").len(), formats.len());
+    let controls = [seeds("certificate").len(), seeds("document").len(), seeds("checkers").len()];
+    assert!(
+        controls[0] >= 30 && controls[1] >= 45 && controls[2] == controls[0] + controls[1],
+        "{controls:?}"
+    );
+}
+
+#[test]
+fn every_target_has_an_entry() {
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz_targets");
+    let mut names: Vec<String> = fs::read_dir(dir)
+        .unwrap()
+        .map(|e| e.unwrap().path().file_stem().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    names.sort();
+    let mut targets = homeo_fuzz::TARGETS.map(|(name, _)| name.to_owned());
+    targets.sort();
+    assert_eq!(names, targets);
 }

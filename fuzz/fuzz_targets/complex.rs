@@ -1,0 +1,4 @@
+//! libFuzzer entry of [`homeo_fuzz::complex`].
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::complex(data));

@@ -1,0 +1,4 @@
+//! libFuzzer entry of [`homeo_fuzz::signs`].
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::signs(data));
