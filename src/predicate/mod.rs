@@ -4,6 +4,7 @@
 //! subnormals and the largest ones included. Speed comes from stages (see [`Stage`]): a float filter with
 //! a proved bound, integers of fixed width, big integers.
 
+pub mod batch;
 mod determinant;
 mod meeting;
 mod orient;

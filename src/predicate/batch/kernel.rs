@@ -1,0 +1,103 @@
+//! The filter on blocks of lanes: the same operations as `determinant::filter3` in the same order, so that a lane's answer is
+//! that of one call, whatever the width of the registers (no contraction into fused operations takes place).
+
+/// Inputs a block: two registers of the widest kind.
+pub(crate) const LANES: usize = 16;
+
+/// One number for each input of a block.
+pub(crate) type Lane = [f64; LANES];
+
+/// A row of the matrix: a difference of two points, by axis.
+pub(crate) type Row = [Lane; 3];
+
+/// The zero block.
+pub(crate) const ZERO: Row = [[0.0; LANES]; 3];
+
+/// The sign of `det[p, q, r]` as 1 or -1 where the filter decides, 0 where it does not. Rows are ROUNDED differences; the bound
+/// is proved at `determinant::filter3`.
+#[inline(always)]
+pub(crate) fn filter3(p: &Row, q: &Row, r: &Row) -> [i8; LANES] {
+    let mut out = [0; LANES];
+    for l in 0..LANES {
+        let (q1r2, q2r1) = (q[1][l] * r[2][l], q[2][l] * r[1][l]);
+        let (q2r0, q0r2) = (q[2][l] * r[0][l], q[0][l] * r[2][l]);
+        let (q0r1, q1r0) = (q[0][l] * r[1][l], q[1][l] * r[0][l]);
+        let (x, y, z) = (p[0][l].abs(), p[1][l].abs(), p[2][l].abs());
+        let determinant = p[0][l] * (q1r2 - q2r1) + p[1][l] * (q2r0 - q0r2) + p[2][l] * (q0r1 - q1r0);
+        let permanent =
+            x * (q1r2.abs() + q2r1.abs()) + y * (q2r0.abs() + q0r2.abs()) + z * (q0r1.abs() + q1r0.abs());
+        let err = 1e-15 * permanent + 1e-300 * (x + y + z) + 1e-300;
+        out[l] = i8::from(determinant > err) - i8::from(determinant < -err);
+    }
+    out
+}
+
+/// `to - from`, rounded, lane by lane.
+#[inline(always)]
+pub(crate) fn minus(to: &Row, from: &Row) -> Row {
+    let mut out = ZERO;
+    for ((out, to), from) in out.iter_mut().zip(to).zip(from) {
+        for l in 0..LANES {
+            out[l] = to[l] - from[l];
+        }
+    }
+    out
+}
+
+/// `det[p, q, r]`, rounded.
+#[inline(always)]
+fn determinant(p: &Row, q: &Row, r: &Row) -> Lane {
+    let mut out = [0.0; LANES];
+    for l in 0..LANES {
+        out[l] = p[0][l] * (q[1][l] * r[2][l] - q[2][l] * r[1][l])
+            + p[1][l] * (q[2][l] * r[0][l] - q[0][l] * r[2][l])
+            + p[2][l] * (q[0][l] * r[1][l] - q[1][l] * r[0][l]);
+    }
+    out
+}
+
+/// A bound on the error of every determinant of differences of some points, once for all of them.
+///
+/// # The bound
+///
+/// Let `X` be the rounded difference of the largest and the smallest coordinate of the points along the first axis, `Y` and `Z`
+/// likewise. Rounding is monotone, so every rounded difference of two of the points is at most `X`, `Y`, `Z` in absolute value.
+/// In the notation of `determinant::filter3`: `S <= 6 X Y Z` and `L <= X + Y + Z`, and step 3 there gives
+/// `|D - d| <= 8.001 u S + V <= 48.006 u XYZ + (1+u)^4 (2^-1074 (X + Y + Z) + 3 * 2^-1075)`.
+/// The computed `6e-15 * (X * Y * Z) + 1e-300 * (X + Y + Z) + 1e-300` loses five roundings at most, and by underflow at most
+/// `2^-1075 (Z + 2)`; as `6e-15 > 54 u`, `54 (1-u)^5 > 49`, and `1e-300 > 2^-1000`, it is at least `|D - d|`.
+///
+/// Overflow: `d` is only trusted where `X`, `Y`, `Z` are below `1e100`; then nothing in it exceeds `6e300`. Elsewhere, and for
+/// numbers that are none, the bound is infinite.
+#[inline(always)]
+pub(crate) fn common_error(points: &[&Row; 6]) -> Lane {
+    let mut size = ZERO;
+    for (axis, size) in size.iter_mut().enumerate() {
+        for (l, size) in size.iter_mut().enumerate() {
+            let (mut low, mut high) = (points[0][axis][l], points[0][axis][l]);
+            for point in &points[1..] {
+                let x = point[axis][l];
+                low = if x < low { x } else { low };
+                high = if x > high { x } else { high };
+            }
+            *size = high - low;
+        }
+    }
+    let mut out = [0.0; LANES];
+    for l in 0..LANES {
+        let (x, y, z) = (size[0][l], size[1][l], size[2][l]);
+        let err = 6e-15 * (x * y * z) + 1e-300 * (x + y + z) + 1e-300;
+        let is_small = (x < 1e100) & (y < 1e100) & (z < 1e100);
+        out[l] = if is_small { err } else { f64::INFINITY };
+    }
+    out
+}
+
+/// Keeps the lanes in which `det[p, q, r]` is above the error.
+#[inline(always)]
+pub(crate) fn keep_positive(kept: &mut [bool; LANES], p: &Row, q: &Row, r: &Row, error: &Lane) {
+    let value = determinant(p, q, r);
+    for l in 0..LANES {
+        kept[l] &= value[l] > error[l];
+    }
+}
