@@ -7,4 +7,5 @@ pub mod quads;
 pub mod real;
 pub mod results;
 pub mod run;
+pub mod subject;
 pub mod table;

@@ -3,8 +3,9 @@
 //   embedded MESH.off
 //
 // Prints one line of key=value. `pairs`: pairs of triangles that share more than their common vertices (by index) force,
-// by EPICK's intersection tests. `pmp`: the same by PMP::self_intersections, and `does` by PMP::does_self_intersect, 1 or 0;
-// both are -1 for what is no Surface_mesh. `flat`: triangles without area; there nothing else is tested.
+// by EPICK's intersection tests. `doubled`: triangles on the vertices of an earlier one; they share what their common
+// vertices force and are no `pairs`. `pmp`: pairs by PMP::self_intersections, and `does` by PMP::does_self_intersect, 1 or
+// 0; both are -1 for what is no Surface_mesh. `flat`: triangles without area; there nothing else is tested.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -14,6 +15,7 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "off.hpp"
 
@@ -50,7 +52,7 @@ struct Soup {
         const Point &a = points[f[0]], &b = points[f[1]], &c = points[f[2]], &d = points[g[2]];
         return CGAL::coplanar(a, b, c, d) && CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
       }
-      default: return true;
+      default: return false;
     }
   }
 
@@ -63,6 +65,16 @@ struct Soup {
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
                                   [&](const Box& a, const Box& b) { pairs += cross(*a.handle(), *b.handle()); });
     return pairs;
+  }
+
+  std::size_t doubled() const {
+    std::set<Face> seen;
+    std::size_t count = 0;
+    for (Face f : faces) {
+      std::sort(f.begin(), f.end());
+      count += !seen.insert(f).second;
+    }
+    return count;
   }
 
   std::optional<Surface> surface() const {
@@ -94,5 +106,5 @@ int main(int argc, char** argv) {
     pmp = static_cast<long>(pairs.size());
     does = CGAL::Polygon_mesh_processing::does_self_intersect(*surface);
   }
-  std::cout << "flat=0 pairs=" << soup.crossings() << " pmp=" << pmp << " does=" << does << '\n';
+  std::cout << "flat=0 doubled=" << soup.doubled() << " pairs=" << soup.crossings() << " pmp=" << pmp << " does=" << does << '\n';
 }

@@ -1,5 +1,6 @@
-// CGAL as a subject of docs/SUBJECTS.md, in text and in binary mode. Built twice: subject_epick (exact predicates,
-// inexact constructions) and subject_epeck (exact constructions).
+// CGAL as a subject of docs/SUBJECTS.md, in text and in binary mode. Built three times: subject_epick (exact predicates,
+// inexact constructions), subject_epeck (exact constructions), and subject_double (Cartesian kernel on plain doubles, a
+// control that has to be found wrong).
 //
 // A line of two words, `NAME N`, begins a binary batch; any other line is a case of text mode.
 // One more predicate than the page lists: `triangle_tet` (21 doubles, the triangle, then the tet): 1 if they share a point.
@@ -14,6 +15,9 @@
 
 #ifdef SUBJECT_EPECK
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+#elif defined(SUBJECT_DOUBLE)
+#include <CGAL/Simple_cartesian.h>
+using Kernel = CGAL::Simple_cartesian<double>;
 #else
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 #endif
