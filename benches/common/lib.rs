@@ -4,6 +4,7 @@ pub mod built;
 pub mod cgal;
 pub mod generate;
 pub mod quads;
+pub mod random;
 pub mod real;
 pub mod results;
 pub mod run;

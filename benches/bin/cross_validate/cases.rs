@@ -1,6 +1,6 @@
 //! Cases for predicates: points of several kinds, most of them in or near special position.
 
-use crate::random::Random;
+use homeo_benches::random::Random;
 
 /// How the points of a case come about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ pub(crate) struct Generator(pub(crate) Random);
 impl Generator {
     fn between(&mut self, least: i64, most: i64) -> i64 {
         let span = most.abs_diff(least) + 1;
-        least + (self.0.next() % span).cast_signed()
+        least + (self.0.bits() % span).cast_signed()
     }
 
     /// The coordinates of `points` points of `dimension` coordinates, all finite.
@@ -235,5 +235,49 @@ impl Generator {
         let factor = power(exponent);
         let case = self.flat(points, dimension);
         case.into_iter().map(|p| p.into_iter().map(|x| x * factor).collect()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Generator, Kind};
+    use homeo::predicate::orient3d_exact;
+    use homeo_benches::random::Random;
+
+    /// How many of 1000 tets are flat.
+    fn flat(kind: Kind) -> usize {
+        let mut generator = Generator(Random(7));
+        let is_flat = |case: &[f64]| match case.as_chunks().0 {
+            [a, b, c, d] => orient3d_exact(a, b, c, d).is_zero(),
+            _ => panic!("not four points"),
+        };
+        (0..1000).filter(|_| is_flat(&generator.case(kind, 4, 3))).count()
+    }
+
+    #[test]
+    fn special_positions_are_exact_and_are_missed_by_ulps() {
+        for kind in [Kind::Flat, Kind::Tiny, Kind::Huge] {
+            assert!(flat(kind) > 500, "{kind:?}: {}", flat(kind));
+        }
+        assert!(flat(Kind::NearFlat) < flat(Kind::Flat) / 2);
+        assert_eq!(flat(Kind::Uniform), 0);
+    }
+
+    #[test]
+    fn round_points_are_equally_far_from_a_centre() {
+        let mut generator = Generator(Random(8));
+        for _ in 0..100 {
+            let case = generator.case(Kind::Round, 4, 2);
+            // Four points on a circle: the determinant with rows (x, y, x^2 + y^2), from the last point on, in integers.
+            let scale = (0..=40).map(|k| 2_f64.powi(k)).find(|s| case.iter().all(|x| (x * s).fract() == 0.0));
+            let x: Vec<i128> = case.iter().map(|x| (x * scale.unwrap()) as i128).collect();
+            let row = |i: usize| {
+                let (u, v) = (x[2 * i] - x[6], x[2 * i + 1] - x[7]);
+                [u, v, u * u + v * v]
+            };
+            let [p, q, r] = [row(0), row(1), row(2)];
+            let minor = |i: usize, j: usize| q[i] * r[j] - q[j] * r[i];
+            assert_eq!(p[0] * minor(1, 2) + p[1] * minor(2, 0) + p[2] * minor(0, 1), 0, "{case:?}");
+        }
     }
 }

@@ -6,9 +6,6 @@ mod findings;
 mod meshes;
 mod predicates;
 mod projections;
-#[allow(clippy::unwrap_used)] // It is the tests' generator.
-#[path = "../../../src/testing/random.rs"]
-mod random;
 mod shells;
 
 use std::error::Error;

@@ -6,12 +6,12 @@ use homeo::predicate::{
 };
 use homeo::shell::decomposition::TETS;
 use homeo_benches::cgal::{Cgal, CgalError};
+use homeo_benches::random::Random;
 use homeo_benches::subject::Subject;
 use homeo_benches::table::Table;
 
 use crate::cases::{Generator, Kind};
 use crate::findings::{Findings, line};
-use crate::random::Random;
 
 /// Cases that are sent at once.
 const BATCH: usize = 4096;
