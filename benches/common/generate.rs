@@ -35,7 +35,8 @@ fn length(a: Point) -> f64 {
 /// A number in `0..1` that depends on `n` alone.
 #[must_use]
 pub fn unit_hash(n: u64) -> f64 {
-    Random(n).unit()
+    // The generator's state after n steps from 0.
+    Random(n.wrapping_mul(Random::STEP)).unit()
 }
 
 /// A closed bumpy sphere in the unit box, outward oriented, of `8 * frequency^2` triangles.

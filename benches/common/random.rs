@@ -5,9 +5,12 @@
 pub struct Random(pub u64);
 
 impl Random {
+    /// What one step adds to the value.
+    pub const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
+
     /// 64 bits.
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        self.0 = self.0.wrapping_add(Self::STEP);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
