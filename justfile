@@ -39,13 +39,14 @@ fuzz target="certificate" seconds="60":
     cargo run --quiet --manifest-path fuzz/Cargo.toml --example seeds
     cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
-# A long run of random small shells against the brute-force oracle
+# Long runs: random small shells against the brute-force oracle, and everything against CGAL
 campaign cases="50000":
     HOMEO_CASES={{cases}} cargo test --release -p homeo-proptests --test verdicts
+    reference/cross_validate.sh --full
 
-# Compare counts with CGAL's on real shells (needs CGAL and the data)
-cross-validate:
-    reference/cross_validate.sh
+# Compare with CGAL (shells and meshes need the data): quick, or with --full, --cases N, --only PART; see --help
+cross-validate *options:
+    reference/cross_validate.sh {{options}}
 
 # Audit every third-party pair, cage and tet map of the data; both checkers judge every document (hours, most in Python)
 audit-zoo *options:
