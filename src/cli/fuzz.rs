@@ -9,8 +9,8 @@ use super::input::read_regular;
 use super::output::{self, Json};
 use super::progress::{Progress, Style};
 use crate::fuzz::{
-    self, BuiltIn, Flipped, Generator, Limit, Mode, Options, Pool, Predicate, Process, ProcessOptions, Report, Subject,
-    SubjectError, corpus,
+    self, BuiltIn, Flipped, Generator, Limit, Mode, Options, Pool, Predicate, Process, ProcessOptions,
+    Report, Subject, SubjectError, corpus,
 };
 use crate::mesh;
 
@@ -77,6 +77,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
     }
     let files = targets(args.output.as_deref(), &inputs)?;
     let mut subject = subject(args)?;
+    quiet_about_findings();
     let report = match &args.replay {
         Some(file) => replay(subject.as_mut(), args.predicate, file)?,
         None => {
@@ -92,6 +93,16 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
     }
     json.emit(&report, &report.words())?;
     Ok(ExitCode::from(u8::from(!report.is_clean())))
+}
+
+/// A subject's panic is a finding and is told in the report, not thousands of times on standard error.
+fn quiet_about_findings() {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if !fuzz::asking() {
+            usual(panic);
+        }
+    }));
 }
 
 /// The three files of `--output`, in a directory that is made if need be.

@@ -30,7 +30,11 @@ pub(super) fn scaled(x: f64, k: i32) -> f64 {
         x *= power(part);
         k -= part;
     }
-    if k < -1000 { x *= power(k.max(-1074)) } else { x *= power(k) }
+    if k < -1000 {
+        x *= power(k.max(-1074));
+    } else {
+        x *= power(k);
+    }
     x.clamp(f64::MIN, f64::MAX)
 }
 

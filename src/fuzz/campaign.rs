@@ -104,7 +104,8 @@ pub fn replay(
 ) -> Result<Report, SubjectError> {
     let mut tally = Tally::new(predicate);
     for entry in entries.iter().filter(|entry| entry.predicate == predicate) {
-        let mut batch = Batch { coordinates: entry.case.clone(), origins: vec![entry.origin], images: Vec::new() };
+        let mut batch =
+            Batch { coordinates: entry.case.clone(), origins: vec![entry.origin], images: Vec::new() };
         if let Some(symmetry) = &entry.symmetry {
             batch.coordinates.extend(symmetry.image(&entry.case, predicate.dimension()));
             batch.origins.push(entry.origin);
@@ -163,7 +164,9 @@ impl Tally {
                 });
             }
         }
-        for (i, ((answer, expected), origin)) in answers.into_iter().zip(right).zip(&batch.origins).enumerate() {
+        for (i, ((answer, expected), origin)) in
+            answers.into_iter().zip(right).zip(&batch.origins).enumerate()
+        {
             self.cases += 1;
             let counts = self.origins.entry(*origin).or_default();
             counts[0] += 1;
@@ -209,7 +212,7 @@ impl Tally {
             let mut minimal = false;
             if turn < SHRUNK && !stop() {
                 let tries = match failure.class {
-                    Class::Hang | Class::Crash => subject.pace().tries / 100,
+                    Class::Hang | Class::Crash => subject.pace().crashes,
                     _ => subject.pace().tries,
                 };
                 let shrunk = shrink::shrink(subject, self.predicate, &failure, tries, stop)?;

@@ -40,7 +40,8 @@ pub struct CorpusError {
 /// The findings of a report as a corpus file.
 #[must_use]
 pub fn write(report: &Report) -> String {
-    let mut out = format!("{MAGIC}\n# {} by {}\n", report.predicate, report.subject.replace(['\n', '\r'], " "));
+    let mut out =
+        format!("{MAGIC}\n# {} by {}\n", report.predicate, report.subject.replace(['\n', '\r'], " "));
     for f in &report.findings {
         let answer = f.answer.replace([';', '\n', '\r'], " ");
         let _ = write!(
@@ -83,8 +84,12 @@ fn entry(line: &str) -> Result<Entry, String> {
             format!("{} coordinates, {predicate} takes {arity}", case.len())
         });
     }
-    let mut out =
-        Entry { predicate, case, origin: Origin { generator: Generator::Real, base: Generator::Real }, symmetry: None };
+    let mut out = Entry {
+        predicate,
+        case,
+        origin: Origin { generator: Generator::Real, base: Generator::Real },
+        symmetry: None,
+    };
     for part in parts {
         let (key, value) = part.split_once(' ').unwrap_or((part, ""));
         match key {

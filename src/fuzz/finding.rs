@@ -12,9 +12,9 @@ use crate::predicate::Sign;
 /// Exponents of one band.
 const BAND: i32 = 128;
 
-/// The band of a case's largest exponent; `None` if all coordinates are zero.
+/// The band of a case's largest exponent, size one in the middle of band 0; `None` if all coordinates are zero.
 pub(super) fn band(case: &[f64]) -> Option<i32> {
-    magnitude(case).map(|e| e.div_euclid(BAND))
+    magnitude(case).map(|e| (e + BAND / 2).div_euclid(BAND))
 }
 
 /// A case with a wrong answer.
@@ -39,7 +39,7 @@ pub(super) struct Key {
 
 impl Failure {
     pub(super) fn key(&self) -> Key {
-        Key { class: self.class, origin: self.origin, band: band(&self.case) }
+        Key { class: self.class, origin: self.origin.row(), band: band(&self.case) }
     }
 }
 
@@ -53,7 +53,7 @@ impl Symmetry {
     }
 }
 
-/// Mismatches of one class, origin and band of magnitudes, with one case that shows them.
+/// Mismatches of one class, generator and band of magnitudes, with one case that shows them.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
     /// How the answer is wrong.

@@ -52,6 +52,7 @@ pub use onset::Onset;
 pub use predicate::{Predicate, UnknownPredicate};
 pub use report::{OriginCount, Report};
 pub use subject::{
-    BuiltIn, Flipped, Function, Mode, Pace, Process, ProcessOptions, Subject, SubjectError, UnknownSubject, from_fn,
+    BuiltIn, Flipped, Function, Mode, Pace, Process, ProcessOptions, Subject, SubjectError, UnknownSubject,
+    asking, from_fn,
 };
 pub use symmetry::Symmetry;

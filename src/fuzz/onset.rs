@@ -19,7 +19,7 @@ const REACH: i32 = 48;
 pub struct Onset {
     /// The class.
     pub class: Class,
-    /// The generator, `generator/base` where it changed another one's case.
+    /// The generator; `sweep/base` for the cases of each generator that the sweep scales.
     pub origin: String,
     /// How many.
     pub failures: u64,
@@ -65,7 +65,7 @@ pub(super) struct Onsets(BTreeMap<(Class, Origin), Row>);
 
 impl Onsets {
     pub(super) fn note(&mut self, failure: &Failure) {
-        let row = self.0.entry((failure.class, failure.origin)).or_default();
+        let row = self.0.entry((failure.class, failure.origin.row())).or_default();
         row.failures += 1;
         let Some(e) = magnitude(&failure.case) else { return };
         if failure.origin.generator == Generator::Sweep {

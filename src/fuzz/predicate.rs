@@ -1,5 +1,6 @@
 //! The predicates that subjects are asked about: names, sizes, conditions.
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
@@ -36,8 +37,10 @@ pub enum Predicate {
 
 /// A text that names no predicate.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no predicate `{0}`: one of orient2d, orient3d, incircle, insphere, dot_sign, point_in_tet, \
-         triangle_triangle, segment_triangle, ray_triangle, prism_positivity, section_dot is wanted")]
+#[error(
+    "there is no predicate `{0}`: one of orient2d, orient3d, incircle, insphere, dot_sign, point_in_tet, \
+         triangle_triangle, segment_triangle, ray_triangle, prism_positivity, section_dot is wanted"
+)]
 pub struct UnknownPredicate(pub String);
 
 impl Predicate {
@@ -89,7 +92,9 @@ impl Predicate {
         match self {
             Self::Orient2d => 3,
             Self::Orient3d | Self::Incircle => 4,
-            Self::Insphere | Self::DotSign | Self::PointInTet | Self::SegmentTriangle | Self::RayTriangle => 5,
+            Self::Insphere | Self::DotSign | Self::PointInTet | Self::SegmentTriangle | Self::RayTriangle => {
+                5
+            }
             Self::TriangleTriangle | Self::PrismPositivity => 6,
             Self::SectionDot => 9,
         }
@@ -142,7 +147,11 @@ impl Predicate {
         match self {
             Self::TriangleTriangle => !flat(0) && !flat(3),
             Self::SegmentTriangle | Self::RayTriangle => {
-                let same = case.iter().zip(&case[3..]).take(3).all(|(x, y)| x.partial_cmp(y).is_some_and(|o| o.is_eq()));
+                let same = case
+                    .iter()
+                    .zip(&case[3..])
+                    .take(3)
+                    .all(|(x, y)| x.partial_cmp(y).is_some_and(Ordering::is_eq));
                 !same && !flat(2)
             }
             _ => true,

@@ -17,6 +17,12 @@ impl Random {
         (self.next() % n) as usize
     }
 
+    /// Uniform in `low..=high`.
+    pub(crate) fn integer(&mut self, low: i32, high: i32) -> i32 {
+        // Fits: it is below the number of integers between.
+        low.wrapping_add_unsigned((self.next() % (u64::from(high.abs_diff(low)) + 1)) as u32)
+    }
+
     /// In `[-1, 1)`, 53 bits.
     pub(crate) fn real(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0

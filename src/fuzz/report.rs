@@ -80,14 +80,33 @@ impl Report {
 
     /// One line a class and origin.
     fn write_onsets(&self, out: &mut String) {
-        let _ = writeln!(out, "\n{:16}{:24}{:>10}  failures begin", "class", "generator", "failures");
-        for row in &self.onsets {
-            let class = row.class.name();
-            let _ = writeln!(out, "{class:16}{:24}{:>10}  {}", row.origin, row.failures, row.place());
+        let (swept, others): (Vec<&Onset>, Vec<&Onset>) =
+            self.onsets.iter().partition(|row| row.below.is_some() || row.above.is_some());
+        if !swept.is_empty() {
+            let _ = writeln!(
+                out,
+                "\n{:16}{:24}{:>12}  begin where the largest coordinate is",
+                "class", "sweep of", "failures"
+            );
         }
-        out.push_str(
-            "(sweep: the largest coordinate is in [2^e, 2^(e+1)); others: range of e, and the least difference of exponents)\n",
-        );
+        for row in swept {
+            let base = row.origin.trim_start_matches("sweep/");
+            let _ = writeln!(out, "{:16}{base:24}{:>12}  {}", row.class.name(), row.failures, row.begin());
+        }
+        if !others.is_empty() {
+            let heading = "largest exponents (least spread of exponents)";
+            let _ = writeln!(out, "\n{:16}{:24}{:>12}  {heading}", "class", "generator", "failures");
+        }
+        for row in others {
+            let _ = writeln!(
+                out,
+                "{:16}{:24}{:>12}  {}",
+                row.class.name(),
+                row.origin,
+                row.failures,
+                row.range()
+            );
+        }
     }
 
     /// The simplest finding of each class, and some more.
@@ -100,7 +119,11 @@ impl Report {
         let _ = writeln!(out, "\n{} findings; the simplest of each class:", self.findings.len());
         for f in shown.into_iter().take(SHOWN) {
             let minimal = if f.minimal { "" } else { " (not minimal)" };
-            let _ = writeln!(out, "{} from {}: expected {}, got {}{minimal}", f.class, f.origin, f.expected, f.answer);
+            let _ = writeln!(
+                out,
+                "{} from {}: expected {}, got {}{minimal}",
+                f.class, f.origin, f.expected, f.answer
+            );
             let _ = writeln!(out, "  {}", f.case);
             if let Some(order) = &f.order {
                 let _ = writeln!(out, "  contradicted in the order {order}");
@@ -110,20 +133,25 @@ impl Report {
 }
 
 impl Onset {
-    /// Where they begin, in words.
-    fn place(&self) -> String {
-        match (self.below, self.above, self.exponents) {
+    /// Where failures of a sweep begin.
+    fn begin(&self) -> String {
+        match (self.below, self.above) {
             // A handful of powers around one: no matter of scale.
-            (Some(-8..), Some(..=8), _) => "at every scale".to_owned(),
-            (Some(e @ -8..), None, _) => format!("at e = {e}, and below"),
-            (None, Some(e @ ..=8), _) => format!("at e = {e}, and above"),
-            (Some(below), None, _) => format!("below 2^{}", below + 1),
-            (None, Some(above), _) => format!("above 2^{above}"),
-            (Some(below), Some(above), _) => format!("below 2^{} and above 2^{above}", below + 1),
-            (None, None, Some([low, high])) => {
-                format!("e from {low} to {high}, spread {}", self.spread.unwrap_or(0))
-            }
-            (None, None, None) => "all coordinates zero".to_owned(),
+            (Some(-8..), Some(..=8)) => "of any size".to_owned(),
+            (Some(e @ -8..), None) => format!("of size 2^{e}, and below"),
+            (None, Some(e @ ..=8)) => format!("of size 2^{e}, and above"),
+            (Some(below), None) => format!("below 2^{}", below + 1),
+            (None, Some(above)) => format!("2^{above} or more"),
+            (Some(below), Some(above)) => format!("below 2^{}, or 2^{above} or more", below + 1),
+            (None, None) => String::new(),
+        }
+    }
+
+    /// Which exponents failing cases of another generator have.
+    fn range(&self) -> String {
+        match self.exponents {
+            Some([low, high]) => format!("2^{low} to 2^{high} ({})", self.spread.unwrap_or(0)),
+            None => "0".to_owned(),
         }
     }
 }

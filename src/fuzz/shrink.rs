@@ -48,7 +48,9 @@ pub(super) fn shrink(
             let cases: Vec<&[f64]> = candidates.iter().map(|(_, case)| case.as_slice()).collect();
             let failing = fails(subject, predicate, failure, &cases)?;
             next = last;
-            if let Some((i, case)) = candidates.into_iter().zip(failing).find_map(|(c, fails)| fails.then_some(c)) {
+            if let Some((i, case)) =
+                candidates.into_iter().zip(failing).find_map(|(c, fails)| fails.then_some(c))
+            {
                 best = case;
                 next = i + 1;
             }
@@ -71,8 +73,13 @@ pub(super) fn fails(
     }
     let answers = subject.answer(predicate, &cases.concat())?;
     let Some(symmetry) = &failure.symmetry else {
-        let class = |case: &[f64], answer| judge(predicate, case).and_then(|expected| Class::of(answer, expected));
-        return Ok(cases.iter().zip(&answers).map(|(case, a)| class(case, a) == Some(failure.class)).collect());
+        let class =
+            |case: &[f64], answer| judge(predicate, case).and_then(|expected| Class::of(answer, expected));
+        return Ok(cases
+            .iter()
+            .zip(&answers)
+            .map(|(case, a)| class(case, a) == Some(failure.class))
+            .collect());
     };
     let images: Vec<f64> = cases.iter().flat_map(|c| symmetry.image(c, predicate.dimension())).collect();
     let others = subject.answer(predicate, &images)?;

@@ -23,7 +23,8 @@ pub fn incircle(a: &[f64; 2], b: &[f64; 2], c: &[f64; 2], d: &[f64; 2]) -> Sign 
 
 /// [`incircle`] by big integers alone.
 pub fn incircle_exact(a: &[f64; 2], b: &[f64; 2], c: &[f64; 2], d: &[f64; 2]) -> Sign {
-    let ([ax, ay, bx, by, cx, cy, dx, dy], _) = common_scale([a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]]);
+    let ([ax, ay, bx, by, cx, cy, dx, dy], _) =
+        common_scale([a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]]);
     let [p, q, r] = [[ax, ay], [bx, by], [cx, cy]].map(|[x, y]| [x - &dx, y - &dy]);
     let lift = |v: &[IBig; 2]| &v[0] * &v[0] + &v[1] * &v[1];
     let minor = |v: &[IBig; 2], w: &[IBig; 2]| &v[0] * &w[1] - &v[1] * &w[0];
@@ -111,7 +112,9 @@ fn filter_sphere(rows: [[f64; 3]; 4]) -> Option<Sign> {
     }
     let (mut determinant, mut permanent) = (0.0, 0.0);
     // The last column's entry of row i has the sign (-1)^(i+1): minus that determinant is wanted.
-    for (i, others, sign) in [(0, [1, 2, 3], 1.0), (1, [0, 2, 3], -1.0), (2, [0, 1, 3], 1.0), (3, [0, 1, 2], -1.0)] {
+    for (i, others, sign) in
+        [(0, [1, 2, 3], 1.0), (1, [0, 2, 3], -1.0), (2, [0, 1, 3], 1.0), (3, [0, 1, 2], -1.0)]
+    {
         let lift = rows[i].iter().fold(0.0, |sum, x| sum + x * x);
         let [u, v, w] = others.map(|k: usize| rows[k]);
         let (mut volume, mut bound) = (0.0, 0.0);

@@ -52,7 +52,7 @@ pub(super) fn near(predicate: Predicate, random: &mut Random) -> Vec<f64> {
     let share = 1 + random.below(4);
     for x in &mut case {
         if random.below(share) == 0 {
-            *x = neighbour(*x, random.below(5) as i32 - 2);
+            *x = neighbour(*x, random.integer(-2, 2));
         }
     }
     case
@@ -88,7 +88,7 @@ pub(super) fn overflow(predicate: Predicate, random: &mut Random) -> Vec<f64> {
         1 => degenerate(predicate, random),
         _ => near(predicate, random),
     };
-    let top = 1023 - random.below(30) as i32;
+    let top = 1023 - random.integer(0, 29);
     let k = top - magnitude(&case).unwrap_or(0);
     case.iter_mut().for_each(|x| *x = scaled(*x, k));
     if random.below(4) == 0 {
@@ -103,7 +103,8 @@ pub(super) fn overflow(predicate: Predicate, random: &mut Random) -> Vec<f64> {
 
 /// Points that coincide, coordinates that do, and zeros of both signs.
 pub(super) fn shared(predicate: Predicate, random: &mut Random) -> Vec<f64> {
-    let mut case = if random.below(2) == 0 { uniform(predicate, random) } else { degenerate(predicate, random) };
+    let mut case =
+        if random.below(2) == 0 { uniform(predicate, random) } else { degenerate(predicate, random) };
     let (dimension, points) = (predicate.dimension(), predicate.points());
     for _ in 0..=random.below(3) {
         let (from, to) = (random.below(points), random.below(points));

@@ -30,12 +30,7 @@ fn combination(points: &[Point], convex: bool, random: &mut Random) -> Point {
     let last = weights.len().saturating_sub(1);
     let mut left = PARTS;
     for weight in weights.iter_mut().take(last) {
-        // Fits: less than 25.
-        *weight = if convex {
-            random.below(left.unsigned_abs() as usize + 1) as i32
-        } else {
-            random.below(13) as i32 - 4
-        };
+        *weight = if convex { random.integer(0, left) } else { random.integer(-4, 8) };
         left -= *weight;
     }
     if let Some(weight) = weights.last_mut() {
@@ -146,15 +141,25 @@ fn sphere(random: &mut Random) -> Vec<Point> {
 }
 
 /// Lattice vectors of one length with random signs, multiplied by one number and moved.
-fn on_round(count: usize, random: &mut Random, mut vector: impl FnMut(&mut Random) -> [i16; 3]) -> Vec<Point> {
+fn on_round(
+    count: usize,
+    random: &mut Random,
+    mut vector: impl FnMut(&mut Random) -> [i16; 3],
+) -> Vec<Point> {
     let bits = width(random).min(38);
     let factor = (1 + random.below(1 << (bits.min(30) + 1))) as f64;
     let centre = point(random, bits);
     let one = |random: &mut Random| {
-        let signed = vector(random).map(|x| f64::from(x) * if random.below(2) == 0 { factor } else { -factor });
+        let signed =
+            vector(random).map(|x| f64::from(x) * if random.below(2) == 0 { factor } else { -factor });
         plus(&centre, &signed, 1.0)
     };
-    std::iter::repeat_n((), count).map({ let mut one = one; move |()| one(random) }).collect()
+    std::iter::repeat_n((), count)
+        .map({
+            let mut one = one;
+            move |()| one(random)
+        })
+        .collect()
 }
 
 /// A prism over a large triangle, in which one of the 12 tets is flat.
@@ -169,8 +174,14 @@ fn prism(p: &mut [Point], random: &mut Random) {
 
 /// The unit prism times a large number, corners moved by less than a quarter of it.
 fn straight(p: &mut [Point], random: &mut Random) {
-    const UNIT: [[f64; 3]; 6] =
-        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
+    const UNIT: [[f64; 3]; 6] = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [1.0, 0.0, 1.0],
+        [0.0, 1.0, 1.0],
+    ];
     let bits = width(random);
     let size = (1_u64 << (bits + 5)) as f64;
     for (p, unit) in p.iter_mut().zip(UNIT) {

@@ -44,7 +44,8 @@ impl Pool {
             // The first face's corners in order, mostly: triangles of the mesh.
             let corner = if i < 3 && random.below(2) == 0 { i } else { random.below(corners.len()) };
             let p = mesh.vertices.get(usize::try_from(*corners.get(corner)?).ok()?)?;
-            let kept = p.iter().enumerate().filter(|(axis, _)| predicate.dimension() == 3 || *axis != dropped);
+            let kept =
+                p.iter().enumerate().filter(|(axis, _)| predicate.dimension() == 3 || *axis != dropped);
             out.extend(kept.map(|(_, x)| *x));
         }
         Some(out)

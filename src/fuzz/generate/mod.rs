@@ -45,8 +45,10 @@ pub enum Generator {
 
 /// A text that names no generator.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no generator `{0}`: uniform, grid, near, degenerate, spread, subnormal, overflow, shared, permutations, \
-         real, sweep are wanted")]
+#[error(
+    "there is no generator `{0}`: uniform, grid, near, degenerate, spread, subnormal, overflow, shared, permutations, \
+         real, sweep are wanted"
+)]
 pub struct UnknownGenerator(pub String);
 
 impl Generator {
@@ -111,6 +113,14 @@ impl Origin {
     const fn of(generator: Generator) -> Self {
         Self { generator, base: generator }
     }
+
+    /// What failures are counted by: the base says something about a failure in the sweep alone.
+    pub(super) const fn row(self) -> Self {
+        match self.generator {
+            Generator::Sweep => self,
+            generator => Self::of(generator),
+        }
+    }
 }
 
 impl fmt::Display for Origin {
@@ -164,22 +174,20 @@ impl<'a> Source<'a> {
         Self { predicate, generators: generators.to_vec(), random: Random(seed), turns: 0, pool }
     }
 
-    /// At most `count` further cases, whole groups of images; at least one.
+    /// The next `count` cases. A configuration at the end of the batch may have fewer images.
     pub(super) fn batch(&mut self, count: usize) -> Batch {
         let mut out = Batch::default();
-        while out.origins.len() < count.max(1) {
+        while out.origins.len() < count {
+            let room = count - out.origins.len() - 1;
             let generator = self.generators.get(self.turns % self.generators.len().max(1));
             let generator = generator.copied().unwrap_or(Generator::Uniform);
-            let images = if generator == Generator::Permutations { IMAGES } else { 0 };
-            if !out.origins.is_empty() && out.origins.len() + 1 + images > count {
-                break;
-            }
+            let images = if generator == Generator::Permutations { IMAGES.min(room) } else { 0 };
             let round = self.turns / self.generators.len().max(1);
             let (origin, case) = self.case(generator, round);
             let first = out.origins.len();
-            for _ in 0..images {
+            for i in 0..images {
                 let symmetry = symmetry::random(self.predicate, &mut self.random);
-                out.images.push((first + 1 + out.images.len() % IMAGES, first, symmetry));
+                out.images.push((first + 1 + i, first, symmetry));
             }
             out.coordinates.extend(&case);
             out.origins.push(origin);
@@ -213,8 +221,12 @@ impl<'a> Source<'a> {
     fn propose(&mut self, generator: Generator, round: usize) -> (Generator, Vec<f64>) {
         match generator {
             Generator::Spread => {
-                let (base, case) =
-                    self.one_of(&[Generator::Uniform, Generator::Degenerate, Generator::Near, Generator::Grid]);
+                let (base, case) = self.one_of(&[
+                    Generator::Uniform,
+                    Generator::Degenerate,
+                    Generator::Near,
+                    Generator::Grid,
+                ]);
                 (base, scale::spread(self.predicate, case, &mut self.random))
             }
             Generator::Permutations => {

@@ -5,14 +5,14 @@ use crate::fuzz::bits::{magnitude, scaled};
 use crate::fuzz::random::Random;
 
 /// Powers of two from the least subnormal number to the largest double.
-const POWERS: usize = 1074 + 1024;
+const POWERS: u64 = 1074 + 1024;
 
 /// The case brought to coordinates whose largest is in `[1, 2)`, and multiplied by the power of two of this turn.
 ///
 /// Consecutive turns go through all powers, far jumps first, so that a short run has seen the whole range.
 pub(super) fn swept(mut case: Vec<f64>, turn: usize) -> Vec<f64> {
     // 811 has no divisor in common with 2098: each power once in 2098 turns.
-    let power = (turn % POWERS * 811 % POWERS) as i32 - 1074;
+    let power = (turn as u64 % POWERS * 811 % POWERS) as i32 - 1074;
     let k = power - magnitude(&case).unwrap_or(0);
     for x in &mut case {
         *x = scaled(*x, k);
@@ -26,8 +26,7 @@ fn exponent(random: &mut Random) -> i32 {
         0 => -400,
         1 => 400,
         2 | 3 => 0,
-        // Fits: below 2001.
-        _ => random.below(2001) as i32 - 1000,
+        _ => random.integer(-1000, 1000),
     }
 }
 

@@ -1,19 +1,18 @@
 //! Subjects that need no program: crates, plain doubles, our own predicates.
 
 use std::fmt;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::str::FromStr;
 
 use rayon::prelude::*;
 
 use super::plain;
-use super::{Subject, SubjectError};
+use super::{Subject, SubjectError, caught};
 use crate::fuzz::judge::{prism, section};
 use crate::fuzz::points::points;
 use crate::fuzz::{Answer, Predicate};
 use crate::predicate::{
-    Axis, Sign, dot_sign, incircle, insphere, orient2d, orient3d, point_in_tet, ray_triangle, segment_triangle,
-    triangle_triangle,
+    Axis, Sign, dot_sign, incircle, insphere, orient2d, orient3d, point_in_tet, ray_triangle,
+    segment_triangle, triangle_triangle,
 };
 
 /// A subject by name.
@@ -86,9 +85,7 @@ impl Subject for BuiltIn {
     }
 
     fn answer(&mut self, predicate: Predicate, cases: &[f64]) -> Result<Vec<Answer>, SubjectError> {
-        let one = |case: &[f64]| {
-            catch_unwind(AssertUnwindSafe(|| self.one(predicate, case))).unwrap_or(Answer::Crash)
-        };
+        let one = |case: &[f64]| caught(|| self.one(predicate, case));
         Ok(cases.par_chunks_exact(predicate.arity()).map(one).collect())
     }
 }
@@ -170,7 +167,8 @@ fn robust_crate(predicate: Predicate, case: &[f64]) -> Option<Answer> {
     })
 }
 
-/// Our conventions, by the unit tet.
+/// Our conventions, but it wants the circle's and the sphere's simplex positively oriented: where that is
+/// flat the case is not for it.
 fn geogram(predicate: Predicate, case: &[f64]) -> Option<Answer> {
     use geogram_predicates as other;
     let sign = |sign: other::Sign| {
@@ -192,11 +190,19 @@ fn geogram(predicate: Predicate, case: &[f64]) -> Option<Answer> {
         }
         Predicate::Incircle => {
             let [a, b, c, d] = points(case)?;
-            sign(other::in_circle_2d(&a, &b, &c, &d))
+            match fast(Predicate::Orient2d, case.get(..6)?)? {
+                Sign::Zero => return None,
+                Sign::Positive => sign(other::in_circle_2d(&a, &b, &c, &d)),
+                Sign::Negative => sign(other::in_circle_2d(&b, &a, &c, &d)).flipped(),
+            }
         }
         Predicate::Insphere => {
             let [a, b, c, d, e] = points(case)?;
-            sign(other::in_sphere_3d(&a, &b, &c, &d, &e))
+            match orient3d(&a, &b, &c, &d) {
+                Sign::Zero => return None,
+                Sign::Positive => sign(other::in_sphere_3d(&a, &b, &c, &d, &e)),
+                Sign::Negative => sign(other::in_sphere_3d(&b, &a, &c, &d, &e)).flipped(),
+            }
         }
         Predicate::PrismPositivity => prism_by(case, orient)?,
         _ => return None,

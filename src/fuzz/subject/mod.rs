@@ -6,11 +6,12 @@ mod plain;
 mod process;
 mod wire;
 
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use builtin::{BuiltIn, UnknownSubject};
-pub(super) use wire::line as wire_line;
 pub use process::{Mode, Process, ProcessOptions};
+pub(super) use wire::line as wire_line;
 
 use super::{Answer, Predicate};
 
@@ -79,7 +80,7 @@ pub trait Subject {
 
     /// How many cases are best asked at once, and how many single questions a search for a smaller case may take.
     fn pace(&self) -> Pace {
-        Pace { batch: 4096, tries: 20_000 }
+        Pace { batch: 4096, tries: 20_000, crashes: 20_000 }
     }
 }
 
@@ -90,6 +91,26 @@ pub struct Pace {
     pub batch: usize,
     /// Cases that shrinking one finding may take.
     pub tries: usize,
+    /// The same for a finding that ends the subject, or hangs it.
+    pub crashes: usize,
+}
+
+thread_local! {
+    static ASKING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Is this thread within a subject's code? A panic there is a finding: a panic hook may keep quiet about it.
+#[must_use]
+pub fn asking() -> bool {
+    ASKING.get()
+}
+
+/// What the function answers; [`Answer::Crash`] if it panics.
+fn caught(ask: impl FnOnce() -> Answer) -> Answer {
+    let outer = ASKING.replace(true);
+    let answer = catch_unwind(AssertUnwindSafe(ask)).unwrap_or(Answer::Crash);
+    ASKING.set(outer);
+    answer
 }
 
 /// A subject that is a function; see [`from_fn`].
@@ -120,10 +141,7 @@ impl<F: FnMut(Predicate, &[f64]) -> Answer> Subject for Function<F> {
     }
 
     fn answer(&mut self, predicate: Predicate, cases: &[f64]) -> Result<Vec<Answer>, SubjectError> {
-        let one = |case: &[f64]| {
-            let asked = AssertUnwindSafe(|| (self.function)(predicate, case));
-            catch_unwind(asked).unwrap_or(Answer::Crash)
-        };
+        let one = |case: &[f64]| caught(|| (self.function)(predicate, case));
         Ok(cases.chunks_exact(predicate.arity()).map(one).collect())
     }
 }

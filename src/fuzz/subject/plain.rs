@@ -51,7 +51,8 @@ pub(super) fn answer(predicate: Predicate, case: &[f64]) -> Option<Answer> {
         Predicate::TriangleTriangle => {
             let [a, b, c, d, e, f] = points(case)?;
             let edges = |[a, b, c]: [Point; 3]| [[a, b], [b, c], [c, a]];
-            let crosses = |one, other| edges(one).into_iter().any(|e| hit(e, other).is_some_and(|at| at <= 1.0));
+            let crosses =
+                |one, other| edges(one).into_iter().any(|e| hit(e, other).is_some_and(|at| at <= 1.0));
             Answer::of_truth(crosses([a, b, c], [d, e, f]) || crosses([d, e, f], [a, b, c]))
         }
         Predicate::PrismPositivity => prism_by(case, |a, b, c, d| Answer::of_value(volume(a, b, c, d)))?,

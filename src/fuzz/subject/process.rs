@@ -68,7 +68,8 @@ impl Process {
         let mut command = Command::new(self.words.first().map_or("", String::as_str));
         command.args(self.words.iter().skip(1));
         let started = Child::start(command);
-        let mut child = started.map_err(|source| SubjectError::Start { command: self.command.clone(), source })?;
+        let mut child =
+            started.map_err(|source| SubjectError::Start { command: self.command.clone(), source })?;
         let (answers, broken) =
             ask(&mut child, self.options.mode, self.options.startup, predicate, &predicate.example());
         if let Some(broken) = broken {
@@ -172,8 +173,8 @@ impl Subject for Process {
 
     fn pace(&self) -> Pace {
         match self.options.mode {
-            Mode::Text => Pace { batch: 512, tries: 3000 },
-            Mode::Binary => Pace { batch: 8192, tries: 5000 },
+            Mode::Text => Pace { batch: 512, tries: 3000, crashes: 60 },
+            Mode::Binary => Pace { batch: 8192, tries: 5000, crashes: 60 },
         }
     }
 }
