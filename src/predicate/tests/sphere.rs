@@ -49,7 +49,7 @@ fn spheres_agree_with_the_determinant() {
         assert_eq!(insphere_exact(a, b, c, d, e), expected, "{p:?}");
         zeros += usize::from(expected.is_zero());
     }
-    assert!(zeros > 50, "{zeros}");
+    assert!(zeros > 30, "{zeros}");
 }
 
 #[test]
