@@ -6,6 +6,7 @@
 
 pub mod campaign;
 pub mod judged;
+pub mod lies;
 pub mod meshes;
 pub mod oracle;
 pub mod recipe;
