@@ -42,6 +42,18 @@ fuzz target="certificate":
 campaign cases="50000":
     HOMEO_CASES={{cases}} cargo test --release -p homeo-proptests --test verdicts
 
+# Certificates with one fact falsified, told to both checkers (needs python3)
+lies count="100000" seed="1":
+    HOMEO_LIES={{count}} HOMEO_SEED={{seed}} cargo test --release -p homeo-proptests --test lies -- --nocapture
+
+# Line coverage of the checker by its own tests (needs cargo-llvm-cov; HOMEO_DATA for the reader of HDF5)
+coverage package="homeo-certs":
+    cargo llvm-cov -p {{package}} --summary-only
+
+# Mutants of the checker that its tests do not notice (needs cargo-mutants; hours); `file` narrows it
+mutants file="certs/src/**":
+    CARGO_PROFILE_DEV_DEBUG=0 cargo mutants --package homeo-certs -f '{{file}}' --timeout 30 -o target
+
 # Compare counts with CGAL's on real shells (needs CGAL and the data)
 cross-validate:
     reference/cross_validate.sh
