@@ -94,7 +94,7 @@ pub fn to_the_last_ulp(mut good: f64, mut bad: f64, passes: impl Fn(f64) -> bool
     }
     loop {
         let middle = f64::midpoint(good, bad);
-        if middle == good || middle == bad {
+        if [good, bad].contains(&middle) {
             return Some((good, bad));
         }
         if passes(middle) { good = middle } else { bad = middle }

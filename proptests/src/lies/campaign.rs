@@ -19,6 +19,12 @@ const CHANGES: usize = 60;
 /// What a checker said: `None` where it rejects, else the claims.
 pub type Answer = Option<Vec<(String, bool)>>;
 
+/// Asks every checker about a certificate and its input files.
+pub type Checkers<'c> = &'c mut dyn FnMut(&str, &[Vec<u8>]) -> Vec<Answer>;
+
+/// Verdicts by the names of certificates, and the certificate.
+type Honest = (BTreeMap<String, bool>, String);
+
 /// Tells lies until `wanted` of them have been shown to be false, and asks all checkers about each; they get the
 /// certificate and its input files. Returns how often what happened.
 ///
@@ -28,11 +34,7 @@ pub type Answer = Option<Vec<(String, bool)>>;
 ///
 /// # Panics
 /// As the oracle.
-pub fn run(
-    wanted: u64,
-    seed: u64,
-    checkers: &mut dyn FnMut(&str, &[Vec<u8>]) -> Vec<Answer>,
-) -> Result<Tally, String> {
+pub fn run(wanted: u64, seed: u64, checkers: Checkers<'_>) -> Result<Tally, String> {
     let bytes: Vec<u8> = seed.to_le_bytes().repeat(4);
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
     let mut runner = TestRunner::new_with_rng(Config::default(), rng);
@@ -46,7 +48,7 @@ pub fn run(
         }
         let case = recipe.build();
         let Some((claims, honest)) = honest(&case, recipe.order)? else { continue };
-        let told = tell(&case, claims, &honest, &foreign, &mut random, checkers, &mut tally);
+        let told = tell(&case, &claims, &honest, &foreign, &mut random, checkers, &mut tally);
         told.map_err(|e| format!("{e}\nabout {case:#?}\nthe honest one is\n{honest}"))?;
         *tally.entry("certificates".into()).or_default() += 1;
         foreign.extend(facts(&honest));
@@ -57,7 +59,7 @@ pub fn run(
 }
 
 /// The certificate of a case, and its verdicts, confirmed by the oracle; `None` where there is none.
-fn honest(case: &Case, choice: u16) -> Result<Option<(BTreeMap<String, bool>, String)>, String> {
+fn honest(case: &Case, choice: u16) -> Result<Option<Honest>, String> {
     let notes = compare(case)?;
     if ["refused", "branched", "ambiguous"].iter().any(|w| notes.iter().any(|n| n == w)) {
         return Ok(None);
@@ -85,11 +87,11 @@ fn honest(case: &Case, choice: u16) -> Result<Option<(BTreeMap<String, bool>, St
 
 fn tell(
     case: &Case,
-    claims: BTreeMap<String, bool>,
+    claims: &BTreeMap<String, bool>,
     honest: &str,
     foreign: &[String],
     random: &mut Random,
-    checkers: &mut dyn FnMut(&str, &[Vec<u8>]) -> Vec<Answer>,
+    checkers: Checkers<'_>,
     tally: &mut Tally,
 ) -> Result<(), String> {
     let files = inputs(case);

@@ -32,10 +32,10 @@ pub(super) fn judge(
         return holds(!missing, "a pair is left out");
     }
     holds(!lines.is_empty(), "no fact")?;
-    if let ("disjoint-prisms", [line]) = (name, lines) {
-        if line[0] == "tet" {
-            return judge.bad_tet(line, &ordered.selected);
-        }
+    if let ("disjoint-prisms", [line]) = (name, lines)
+        && line[0] == "tet"
+    {
+        return judge.bad_tet(line, &ordered.selected);
     }
     lines.iter().try_for_each(|line| contact(judge, name, line, ordered))
 }
