@@ -39,14 +39,31 @@ fuzz target="certificate" seconds="60":
     cargo run --quiet --manifest-path fuzz/Cargo.toml --example seeds
     cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
-# Long runs: random small shells against the brute-force oracle, and everything against CGAL
-campaign cases="50000":
-    HOMEO_CASES={{cases}} cargo test --release -p homeo-proptests --test verdicts
+# Long runs, each of which ends at the first disagreement (hours): fast predicates against the exact judge, everything against
+# CGAL, random small shells against the definitions, certificates with one fact falsified
+campaign cases="10000000" shells="100000" lies="100000":
+    cargo build --release -p homeo
+    for predicate in $(target/release/homeo fuzz --list); do target/release/homeo fuzz $predicate --subject fast --cases {{cases}} || exit 1; done
     reference/cross_validate.sh --full
+    HOMEO_CASES={{shells}} cargo test --release -p homeo-proptests --test verdicts --test sections -- --nocapture
+    just lies {{lies}}
+    @echo "campaign: no disagreement"
 
 # Compare with CGAL (shells and meshes need the data): quick, or with --full, --cases N, --only PART; see --help
 cross-validate *options:
     reference/cross_validate.sh {{options}}
+
+# Certificates with one fact falsified, told to both checkers (needs python3)
+lies count="100000" seed="1":
+    HOMEO_LIES={{count}} HOMEO_SEED={{seed}} cargo test --release -p homeo-proptests --test lies -- --nocapture
+
+# Line coverage by a crate's own tests (needs cargo-llvm-cov; HOMEO_DATA for the reader of HDF5)
+coverage package="homeo-certs":
+    cargo llvm-cov -p {{package}} --summary-only
+
+# Mutants of the checker that its tests do not notice (needs cargo-mutants; hours); `file` narrows it
+mutants file="certs/src/**":
+    CARGO_PROFILE_DEV_DEBUG=0 cargo mutants --package homeo-certs -f '{{file}}' --timeout 30 -o target
 
 # Audit every third-party pair, cage and tet map of the data; both checkers judge every document (hours, most in Python)
 audit-zoo *options:
