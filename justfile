@@ -43,7 +43,8 @@ fuzz target="certificate" seconds="60":
 # CGAL, random small shells against the definitions, certificates with one fact falsified
 campaign cases="10000000" shells="100000" lies="100000":
     cargo build --release -p homeo
-    for predicate in $(target/release/homeo fuzz --list); do target/release/homeo fuzz $predicate --subject fast --cases {{cases}} || exit 1; done
+    for p in orient2d orient3d incircle insphere dot_sign point_in_tet triangle_triangle segment_triangle ray_triangle; do \
+        target/release/homeo fuzz $p --subject fast --cases {{cases}} || exit 1; done
     reference/cross_validate.sh --full
     HOMEO_CASES={{shells}} cargo test --release -p homeo-proptests --test verdicts --test sections -- --nocapture
     just lies {{lies}}
@@ -65,7 +66,8 @@ coverage package="homeo-certs":
 mutants file="certs/src/**":
     CARGO_PROFILE_DEV_DEBUG=0 cargo mutants --package homeo-certs -f '{{file}}' --timeout 30 -o target
 
-# Audit every third-party pair, cage and tet map of the data; both checkers judge every document (hours, most in Python)
+# Audit every third-party pair, cage and tet map of the data; both checkers judge every document; writes
+# benches/audit-zoo.* and benches/RESULTS.md (a quarter of an hour)
 audit-zoo *options:
     cargo build --release -p homeo -p homeo-certs
-    python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo {{options}}
+    python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo --results benches {{options}}
