@@ -41,7 +41,7 @@ fuzz target="certificate" seconds="60":
 
 # Long runs, each of which ends at the first disagreement (hours): fast predicates against the exact judge, everything against
 # CGAL, random small shells against the definitions, certificates with one fact falsified
-campaign cases="10000000" shells="100000" lies="100000":
+campaign cases="12000000" shells="1000000" lies="100000":
     cargo build --release -p homeo
     for p in orient2d orient3d incircle insphere dot_sign point_in_tet triangle_triangle segment_triangle ray_triangle; do \
         target/release/homeo fuzz $p --subject fast --cases {{cases}} || exit 1; done
