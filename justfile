@@ -39,15 +39,35 @@ fuzz target="certificate" seconds="60":
     cargo run --quiet --manifest-path fuzz/Cargo.toml --example seeds
     cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
-# A long run of random small shells against the brute-force oracle
-campaign cases="50000":
-    HOMEO_CASES={{cases}} cargo test --release -p homeo-proptests --test verdicts
+# Long runs, each of which ends at the first disagreement (hours): fast predicates against the exact judge, everything against
+# CGAL, random small shells against the definitions, certificates with one fact falsified
+campaign cases="12000000" shells="1000000" lies="100000":
+    cargo build --release -p homeo
+    for p in orient2d orient3d incircle insphere dot_sign point_in_tet triangle_triangle segment_triangle ray_triangle; do \
+        target/release/homeo fuzz $p --subject fast --cases {{cases}} || exit 1; done
+    reference/cross_validate.sh --full
+    HOMEO_CASES={{shells}} cargo test --release -p homeo-proptests --test verdicts --test sections -- --nocapture
+    just lies {{lies}}
+    @echo "campaign: no disagreement"
 
-# Compare counts with CGAL's on real shells (needs CGAL and the data)
-cross-validate:
-    reference/cross_validate.sh
+# Compare with CGAL (shells and meshes need the data): quick, or with --full, --cases N, --only PART; see --help
+cross-validate *options:
+    reference/cross_validate.sh {{options}}
 
-# Audit every third-party pair, cage and tet map of the data; both checkers judge every document (hours, most in Python)
+# Certificates with one fact falsified, told to both checkers (needs python3)
+lies count="100000" seed="1":
+    HOMEO_LIES={{count}} HOMEO_SEED={{seed}} cargo test --release -p homeo-proptests --test lies -- --nocapture
+
+# Line coverage by a crate's own tests (needs cargo-llvm-cov; HOMEO_DATA for the reader of HDF5)
+coverage package="homeo-certs":
+    cargo llvm-cov -p {{package}} --summary-only
+
+# Mutants of the checker that its tests do not notice (needs cargo-mutants; hours); `file` narrows it
+mutants file="certs/src/**":
+    CARGO_PROFILE_DEV_DEBUG=0 cargo mutants --package homeo-certs -f '{{file}}' --timeout 30 -o target
+
+# Audit every third-party pair, cage and tet map of the data; both checkers judge every document; writes
+# benches/audit-zoo.* and benches/RESULTS.md (a quarter of an hour)
 audit-zoo *options:
     cargo build --release -p homeo -p homeo-certs
-    python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo {{options}}
+    python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo --results benches {{options}}

@@ -115,12 +115,43 @@ def tet_map(args, name, tool, arguments):
     return row("map", name, tool, ["certified", "refuted"][code], os.path.getsize(cert), spent, checked, first)
 
 
+def table(rows):
+    """A Markdown table."""
+    head = "| kind | name | tool | verdict | proof bytes | audit s | checker | s | Python | s | note |"
+    lines = ["| " + " | ".join(str(x).replace("|", "/") for x in r.values()) + " |" for r in rows]
+    return "\n".join([head, "|---" * 11 + "|", *lines])
+
+
+def keep(rows, folder):
+    """Puts the table between its marks in RESULTS.md, as the programs of benches/ do, and all columns into files beside it."""
+    with open(os.path.join(folder, "audit-zoo.json"), "w") as file:
+        json.dump(rows, file, indent=1)
+    with open(os.path.join(folder, "audit-zoo.csv"), "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(rows)
+    path, marks = os.path.join(folder, "RESULTS.md"), [f"<!-- audit-zoo: {edge} -->" for edge in ("begin", "end")]
+    old = "# Results\n"
+    if os.path.exists(path):
+        with open(path) as file:
+            old = file.read()
+    text = "## Third-party results\n\nWritten by `just audit-zoo`, never by hand. Seconds hold for one machine and its load."
+    new = f"{marks[0]}\n{text}\n\n{table(rows)}\n{marks[1]}"
+    if all(mark in old for mark in marks):
+        new = old[: old.index(marks[0])] + new + old[old.index(marks[1]) + len(marks[1]) :]
+    else:
+        new = old.rstrip() + "\n\n" + new + "\n"
+    with open(path, "w") as file:
+        file.write(new)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     for name in ("homeo", "check", "data", "out"):
         parser.add_argument(name, type=os.path.abspath)
     parser.add_argument("--time-limit", type=int, help="of each optimisation")
     parser.add_argument("--python-limit", type=int, default=3600, help="of the Python checker for one document")
+    parser.add_argument("--results", help="folder of RESULTS.md, where a whole run leaves its table")
     parser.add_argument("--only", default="", help="kinds or names that contain this")
     args = parser.parse_args()
     os.makedirs(args.out, exist_ok=True)
@@ -129,19 +160,16 @@ def main():
     jobs += [("cage", n, t, [os.path.join(cages, cage), os.path.join(cages, mesh)]) for n, t, mesh, cage in CAGES]
     jobs += [("map", n, t, files) for n, t, files in MAPS]
     rows = []
-    print("| kind | name | tool | verdict | proof bytes | audit s | checker | s | Python | s | note |\n" + "|---" * 11 + "|")
+    print(table([]), flush=True)
     for kind, name, tool, files in jobs:
         if args.only not in f"{kind} {name}":
             continue
         found = tet_map(args, name, tool, files) if kind == "map" else audit(args, kind, name, tool, files)
         rows.append(found)
-        print("| " + " | ".join(str(x).replace("|", "/") for x in found.values()) + " |", flush=True)
-        with open(os.path.join(args.out, "zoo.json"), "w") as file:
-            json.dump(rows, file, indent=1)
-        with open(os.path.join(args.out, "zoo.csv"), "w", newline="") as file:
-            writer = csv.DictWriter(file, rows[0].keys())
-            writer.writeheader()
-            writer.writerows(rows)
+        print(table([found]).split("\n")[2], flush=True)
+        keep(rows, args.out)
+    if args.results and not args.only:
+        keep(rows, args.results)
     bad = [r for r in rows if r["verdict"] == "error" or not all(r[k].endswith("valid") for k in ("rust_checker", "python_checker"))]
     sys.exit(1 if bad else 0)
 

@@ -9,7 +9,7 @@ mkdir -p "$build"
 
 build() {
     command -v cmake >/dev/null && command -v c++ >/dev/null &&
-        cmake -S "$here/cgal" -B "$build" -DCMAKE_BUILD_TYPE=Release && cmake --build "$build"
+        cmake -S "$here/cgal" -B "$build" -DCMAKE_BUILD_TYPE=Release && cmake --build "$build" --parallel 2
 }
 
 if ! build >"$log" 2>&1; then

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Compares homeo's counts with CGAL's on all real shell files ($HOMEO_DATA, else ../shared/data): prints a table,
-# exit 1 on any difference. Says SKIPPED, with exit 0, where the files or CGAL are not at hand.
+# Compares homeo with CGAL: predicates, projections, and all shells and meshes of $HOMEO_DATA, else ../shared/data. Prints
+# tables; exit 1 on any difference. Says SKIPPED where the files or CGAL are not at hand. `--help` lists the options.
 set -eu
 cd "$(dirname -- "$0")/.."
-exec cargo run --quiet --release -p homeo-benches --bin homeo-cross-validate
+exec cargo run --quiet --release -p homeo-benches --bin homeo-cross-validate -- "$@"

@@ -62,6 +62,7 @@ pub mod audit;
 pub mod certify;
 pub mod cli;
 pub mod construct;
+pub mod fuzz;
 pub mod mesh;
 pub mod number;
 pub mod predicate;

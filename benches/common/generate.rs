@@ -7,6 +7,8 @@ use std::collections::{BTreeMap, HashMap};
 use homeo::mesh::TriMesh;
 use homeo::shell::Shell;
 
+use crate::random::Random;
+
 /// A shell and a mesh that is a section of it.
 #[derive(Clone, Debug)]
 pub struct Generated {
@@ -30,14 +32,11 @@ fn length(a: Point) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// A number in `0..1` that depends on `n` alone (SplitMix64).
+/// A number in `0..1` that depends on `n` alone.
 #[must_use]
 pub fn unit_hash(n: u64) -> f64 {
-    let mut z = n.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    // 53 bits are exact.
-    ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    // The generator's state after n steps from 0.
+    Random(n.wrapping_mul(Random::STEP)).unit()
 }
 
 /// A closed bumpy sphere in the unit box, outward oriented, of `8 * frequency^2` triangles.

@@ -5,7 +5,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 pub mod campaign;
+pub mod graphs;
 pub mod judged;
+pub mod lies;
 pub mod meshes;
 pub mod oracle;
 pub mod recipe;

@@ -105,7 +105,7 @@ fn to_the_edge(shell: &Shell, m: &Move, stay: bool) -> Shell {
     }
 }
 
-fn shuffled(n: usize, seed: u16) -> Vec<u32> {
+pub(crate) fn shuffled(n: usize, seed: u16) -> Vec<u32> {
     let mut out: Vec<u32> = (0..u32::try_from(n).unwrap()).collect();
     let mut state = u64::from(seed);
     for i in (1..if seed == 0 { 0 } else { n }).rev() {

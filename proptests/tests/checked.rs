@@ -4,25 +4,10 @@
 
 use std::collections::BTreeMap;
 
-use homeo::certify::{Claim, Options, Outcome, Silent, Verdict, certify};
+use homeo::certify::{Claim, Options, Outcome, Silent, certify};
 use homeo_proptests::Case;
 use homeo_proptests::campaign::{certified, run};
-use homeo_proptests::judged::inputs;
-
-/// Verdicts by the names of certificate lines; the parts of C6 are claims of their own there.
-fn verdicts(outcome: &Outcome) -> BTreeMap<String, bool> {
-    let mut out = BTreeMap::new();
-    for c in &outcome.claims {
-        if c.claim == Claim::Disjoint {
-            let parts =
-                c.parts.iter().map(|p| (format!("disjoint-{}", p.about), p.verdict == Verdict::Certified));
-            out.extend(parts);
-        } else {
-            out.insert(c.claim.name().to_owned(), c.verdict == Verdict::Certified);
-        }
-    }
-    out
-}
+use homeo_proptests::judged::{inputs, verdicts};
 
 fn accepted(outcome: &Outcome, case: &Case) -> Result<BTreeMap<String, bool>, String> {
     let answer = homeo_certs::check(outcome.certificate.as_bytes(), &inputs(case));

@@ -5,6 +5,7 @@ use homeo::certify::{Claim, Options, Silent, certify};
 use homeo::mesh::TriMesh;
 use homeo_proptests::Case;
 use homeo_proptests::campaign::{certified, holds, run};
+use homeo_proptests::sheets::{Edit, edit};
 
 fn verdicts(case: &Case) -> Result<Option<Vec<bool>>, String> {
     let all = |o| Claim::ALL.iter().map(|&c| holds(&o, c)).collect();
@@ -114,16 +115,15 @@ fn mirror_images() {
 fn refined_meshes() {
     run(5, |recipe, case| {
         let mut refined = case.clone();
-        let f = usize::from(recipe.order) % case.mesh.faces.len();
-        let [a, b, c] = case.mesh.faces[f];
-        let [p, q, r] = [a, b, c].map(|v| case.mesh.vertices[v as usize]);
-        let n = u32::try_from(case.mesh.vertices.len()).unwrap();
         if recipe.edge.is_some() {
             return Ok(vec!["not exact".into()]);
         }
-        refined.mesh.vertices.push([0, 1, 2].map(|i| (2. * p[i] + q[i] + r[i]) / 4.));
-        refined.mesh.faces[f] = [a, b, n];
-        refined.mesh.faces.extend([[b, c, n], [c, a, n]]);
+        // Faces at a mean of their corners and edges at their middles, one to three times.
+        for k in 0..=recipe.order % 3 {
+            let (kind, at) =
+                ([15, 5][usize::from(recipe.order >> k) % 2], (recipe.order >> (2 * k)).to_le_bytes()[0]);
+            edit(&mut refined.mesh, &case.shell, &Edit { kind, at, pick: [0; 3] });
+        }
         let (coarse, fine) = (verdicts(case)?, verdicts(&refined)?);
         match (coarse, fine) {
             (Some(mut a), Some(mut b)) => {

@@ -17,6 +17,7 @@ mod error;
 pub mod joint;
 pub mod junit;
 mod options;
+mod orientation;
 pub mod places;
 mod point;
 mod regions;

@@ -23,8 +23,19 @@ pub enum Try {
 }
 
 impl Try {
-    /// The tries that need no given shell, in the order in which they are made.
+    /// The tries that need no given shell.
     pub const ALL: [Self; 5] = [Self::A, Self::JointA, Self::JointB, Self::ThickJointA, Self::B];
+
+    /// All of them in their usual order: around A; joint, around the mesh with fewer triangles first, since fewer pillars
+    /// have to suit both; joint and thicker; around B.
+    #[must_use]
+    pub const fn usual(triangles_of_a: usize, triangles_of_b: usize) -> [Self; 5] {
+        if triangles_of_b < triangles_of_a {
+            [Self::A, Self::JointB, Self::JointA, Self::ThickJointA, Self::B]
+        } else {
+            Self::ALL
+        }
+    }
 
     /// The name on the command line and in reports.
     #[must_use]
@@ -66,7 +77,7 @@ pub struct AuditOptions {
     pub thickness: f64,
     /// When each optimisation stops with what it has reached. With a limit results depend on the machine.
     pub time_limit: Option<Duration>,
-    /// What is tried, in this order, until a try succeeds. A given shell comes before.
+    /// What is tried, in this order, until a try succeeds; empty: [`Try::usual`]. A given shell comes before.
     pub tries: Vec<Try>,
     /// Is the given shell the only one to be tried?
     pub only_given: bool,
@@ -74,6 +85,18 @@ pub struct AuditOptions {
 
 impl Default for AuditOptions {
     fn default() -> Self {
-        Self { thickness: 0.1, time_limit: None, tries: Try::ALL.to_vec(), only_given: false }
+        Self { thickness: 0.1, time_limit: None, tries: Vec::new(), only_given: false }
+    }
+}
+
+impl AuditOptions {
+    /// With the tries that are made for meshes with so many triangles.
+    pub(crate) fn for_pair(&self, [a, b]: [usize; 2]) -> Self {
+        let tries = match &self.tries[..] {
+            _ if self.only_given => Vec::new(),
+            [] => Try::usual(a, b).to_vec(),
+            some => some.to_vec(),
+        };
+        Self { tries, ..self.clone() }
     }
 }

@@ -6,6 +6,7 @@ use super::attempt::Pair;
 use super::documents::{self, Document, checked};
 use super::error::AuditError;
 use super::options::{AuditOptions, Try};
+use super::orientation;
 use super::report::{AttemptReport, AttemptResult, AuditReport, AuditVerdict, Timing, TopologyReport};
 use super::topology;
 use super::validity::{Validity, validity};
@@ -52,6 +53,7 @@ pub fn audit(
     observer: &dyn Observer,
 ) -> Result<Audit, AuditError> {
     let start = Instant::now();
+    let options = &options.for_pair(subjects.each_ref().map(|s| s.mesh.faces.len()));
     let mut work = Work::default();
     let files = ["a.off", "b.off"].into_iter().zip(subjects).map(|(file, s)| documents::off(file, s.mesh));
     work.documents = files.collect();
@@ -209,8 +211,7 @@ impl Work {
         let files = [a.clone(), b.clone()];
         let pair = Pair { subjects: subjects.clone(), connectivity, files, options };
         let given = shell.map(|_| Try::Given);
-        let others: &[Try] = if options.only_given { &[] } else { &options.tries };
-        for (number, which) in given.into_iter().chain(others.iter().copied()).enumerate() {
+        for (number, which) in given.into_iter().chain(options.tries.iter().copied()).enumerate() {
             let attempt = pair.attempt(number + 1, which, shell, observer)?;
             let certified = attempt.report.result == AttemptResult::Certified;
             self.documents.extend(attempt.documents);
@@ -231,6 +232,11 @@ impl Work {
              homeomorphism exists.",
             tried.join(", ")
         );
+        let meshes = subjects.each_ref().map(|s| s.mesh);
+        if orientation::seems_opposite(meshes, connectivity) {
+            self.summary += " B seems to be oriented the other way round: one surface encloses what it bounds, the other \
+                             everything else; reverse the order of the corners of B's triangles and audit again.";
+        }
         Ok(AuditVerdict::NotCertified)
     }
 }

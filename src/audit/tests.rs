@@ -278,3 +278,40 @@ fn numbers_for_people_do_not_depend_on_the_scale() {
     assert_eq!(survey(600), (share, clean, far, relative));
     assert_eq!(survey(-600), (share, clean, far, relative));
 }
+
+#[test]
+fn a_surface_turned_inside_out_gets_a_hint() {
+    // One try is enough: the hint comes from the meshes.
+    let options = AuditOptions { tries: vec![Try::A], ..AuditOptions::default() };
+    let summary = |a: &TriMesh, b: &TriMesh| {
+        let out = audit(&[subject("a", a), subject("b", b)], None, &options, &Silent).unwrap();
+        assert_eq!(out.report.verdict, AuditVerdict::NotCertified);
+        out.report.summary
+    };
+    let mesh = icosphere(1);
+    let mut reversed = mesh.clone();
+    reversed.faces.iter_mut().for_each(|f| f.reverse());
+    assert!(summary(&mesh, &reversed).contains("oriented the other way round"));
+    // Elsewhere and not closed: no reason to think so.
+    let mut far = mesh.clone();
+    far.vertices.iter_mut().for_each(|p| p[0] += 10.0);
+    let open = |mesh: &TriMesh| TriMesh { vertices: mesh.vertices.clone(), faces: mesh.faces[1..].to_vec() };
+    for (a, b) in [(&mesh, &far), (&open(&mesh), &open(&reversed))] {
+        assert!(!summary(a, b).contains("oriented"));
+    }
+}
+
+#[test]
+fn the_usual_tries_start_with_fewer_triangles() {
+    let place = |tries: &[Try], which: Try| tries.iter().position(|t| *t == which).unwrap();
+    for (a, b, first, second) in [(9, 8, Try::JointB, Try::JointA), (8, 8, Try::JointA, Try::JointB)] {
+        let tries = Try::usual(a, b);
+        assert!(Try::ALL.iter().all(|t| tries.contains(t)));
+        assert!(place(&tries, first) < place(&tries, second));
+    }
+    // What was asked for stays as it is, and the report says what was tried.
+    let some = AuditOptions { tries: vec![Try::JointB, Try::A], ..AuditOptions::default() };
+    assert_eq!(some.for_pair([8, 9]).tries, some.tries);
+    assert_eq!(AuditOptions::default().for_pair([9, 8]).tries, Try::usual(9, 8));
+    assert!(AuditOptions { only_given: true, ..some }.for_pair([9, 8]).tries.is_empty());
+}

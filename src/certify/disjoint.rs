@@ -64,8 +64,12 @@ struct Job<'a> {
     about: About,
 }
 
-/// All pairs of triangles of a mesh that share more than they may.
-pub(crate) fn self_crossings(
+/// All pairs of triangles of a mesh that share more than their common vertices (by index) force. `connectivity` is that of
+/// the mesh, and every triangle must have area. O((n + k) log n) for k pairs of boxes that meet.
+///
+/// # Errors
+/// [`CertifyError::Cancelled`] by the observer.
+pub fn self_crossings(
     mesh: &TriMesh,
     connectivity: &Connectivity,
     observer: &dyn Observer,

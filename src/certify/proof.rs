@@ -490,6 +490,7 @@ fn i2_result(facts: &Facts, out: &mut ClaimResult) {
                 Count { what: "hull_condition_holds", count: u64::from(found.hull_condition) },
             ]);
             out.count("pairs_with_stated_planes", found.separations.len());
+            out.count("contacts", found.contacts.len());
             out.stages(&found.stages);
             for c in found.contacts.iter().take(Refutation::LISTED) {
                 let value = write::value(&c.value);

@@ -31,7 +31,8 @@ pub(super) struct Args {
     /// Try no other shell
     #[arg(long, requires = "shell")]
     only_shell: bool,
-    /// Shells to try, in this order: a, joint-a, joint-b, thick-joint-a, b. Default: all of them
+    /// Shells to try, in this order: a, joint-a, joint-b, thick-joint-a, b. Default: all of them, joint-b before joint-a
+    /// if B has fewer triangles than A
     #[arg(long = "try", value_name = "NAME", value_delimiter = ',')]
     tries: Vec<String>,
     /// Largest thickness of each half of a shell, as a share of the longest edge of its mesh's bounding box
@@ -84,10 +85,7 @@ impl Args {
             Try::from_name(name)
                 .ok_or_else(|| CliError::Usage(format!("--try: there is no `{name}`; there are {}", known())))
         };
-        let mut tries = self.tries.iter().map(find).collect::<Result<Vec<_>, _>>()?;
-        if tries.is_empty() {
-            tries = Try::ALL.to_vec();
-        }
+        let tries = self.tries.iter().map(find).collect::<Result<Vec<_>, _>>()?;
         let time_limit = self.time_limit.map(Duration::from_secs);
         Ok(AuditOptions { thickness: self.thickness, time_limit, tries, only_given: self.only_shell })
     }

@@ -7,6 +7,7 @@ use crate::audit::batch::JournalError;
 use crate::certify::CertifyError;
 use crate::construct::BuildError;
 use crate::construct::optimise::checkpoint::CheckpointError;
+use crate::fuzz::SubjectError;
 use crate::mesh::{MeshError, UvError};
 use crate::shell::hdf5;
 use crate::shell::three::ThreeError;
@@ -174,6 +175,9 @@ pub enum CliError {
     /// Results of audits could not be read or recorded.
     #[error(transparent)]
     Journal(#[from] JournalError),
+    /// A subject of `fuzz` that cannot be asked.
+    #[error("{}", super::fuzz::explain(.0))]
+    Subject(SubjectError),
     /// The user pressed Ctrl-C during audits of a manifest.
     #[error("interrupted after {results} results, which are kept; --resume goes on")]
     Stopped {

@@ -17,6 +17,7 @@ mod checkpoint;
 mod convert;
 mod demo;
 mod error;
+mod fuzz;
 mod input;
 mod inspect;
 mod map;
@@ -67,6 +68,8 @@ enum Command {
     Convert(convert::Args),
     /// Decide whether two position sets of one complex give a homeomorphism: tets, surfaces, UV maps
     Map(map::Args),
+    /// Judge an implementation of geometric predicates, exactly
+    Fuzz(fuzz::Args),
     /// Facts about a mesh, and its defects
     MeshInfo(mesh_info::Args),
 }
@@ -94,6 +97,7 @@ pub fn main() -> ExitCode {
         Command::Transfer(args) => transfer::run(&args),
         Command::Inspect(args) => inspect::run(args),
         Command::Map(args) => map::run(&args),
+        Command::Fuzz(args) => fuzz::run(&args),
         Command::MeshInfo(args) => mesh_info::run(args),
     };
     done.unwrap_or_else(|error| {

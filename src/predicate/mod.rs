@@ -9,10 +9,12 @@ mod determinant;
 mod meeting;
 mod orient;
 mod position;
+mod ray;
 mod sign;
+mod sphere;
 mod stage;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use meeting::{Meeting, segment_segment, segment_triangle, triangle_tet, triangle_triangle};
 pub use orient::{
@@ -21,5 +23,7 @@ pub use orient::{
     projection_axis, side_of_plane, zero_area,
 };
 pub use position::{ZeroMask, point_in_tet, point_in_triangle, point_on_segment, same_point};
+pub use ray::ray_triangle;
 pub use sign::Sign;
+pub use sphere::{incircle, incircle_exact, insphere, insphere_exact};
 pub use stage::{Stage, StageCounts};

@@ -88,3 +88,7 @@ fn meets_in_plane(points: &Points, o: usize, d: Vec3<i64>, corners: [usize; 3]) 
     };
     [(0, 1), (1, 2), (2, 0)].iter().any(|&(i, j)| meets(&at[i], &at[j]))
 }
+
+#[cfg(test)]
+#[allow(clippy::expect_used)]
+mod tests;

@@ -4,10 +4,10 @@
 //! corners have linearly independent columns at their supports. All supports are tried; the common points
 //! at those corners span the common part.
 
-pub(super) type I3 = [i64; 3];
+pub(crate) type I3 = [i64; 3];
 
 /// Dimension of `hull(a) & hull(b)`: -1 if empty.
-pub(super) fn dimension(a: &[I3], b: &[I3]) -> i32 {
+pub(crate) fn dimension(a: &[I3], b: &[I3]) -> i32 {
     let columns: Vec<[i128; 5]> = a
         .iter()
         .map(|p| [p[0], p[1], p[2], 1, 0])

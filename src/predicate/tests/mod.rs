@@ -1,5 +1,7 @@
-mod brute;
+pub(crate) mod brute;
 mod meeting;
-mod oracle;
+pub(crate) mod oracle;
 mod orient;
+mod ray;
+mod sphere;
 mod table;

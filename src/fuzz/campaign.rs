@@ -1,0 +1,272 @@
+//! The loop: make cases, ask, judge, keep what is wrong; then shrink.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+
+use super::finding::{Failure, Finding, Key};
+use super::generate::{Batch, Generator, Origin, Pool, Source};
+use super::onset::Onsets;
+use super::report::{OriginCount, Report};
+use super::{Answer, Class, Predicate, Subject, SubjectError, corpus, judge, shrink};
+use crate::certify::Observer;
+use crate::predicate::Sign;
+
+/// When to end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// After so many cases: two runs with one seed give one report, unless answers depend on time.
+    Cases(u64),
+    /// After this time, a fifth of which is for shrinking and for the search for the onset of failures.
+    Time(Duration),
+}
+
+/// What to ask.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The predicate.
+    pub predicate: Predicate,
+    /// Generators, mixed evenly.
+    pub generators: Vec<Generator>,
+    /// Seed of all that is random.
+    pub seed: u64,
+    /// When to end.
+    pub limit: Limit,
+    /// Meshes for [`Generator::Real`].
+    pub meshes: Pool,
+}
+
+impl Options {
+    /// 100,000 cases of all generators that need no mesh, with seed 0.
+    #[must_use]
+    pub fn new(predicate: Predicate) -> Self {
+        let generators = Generator::ALL.into_iter().filter(|g| *g != Generator::Real).collect();
+        Self { predicate, generators, seed: 0, limit: Limit::Cases(100_000), meshes: Pool::default() }
+    }
+}
+
+/// Findings of one run that are shrunk.
+const SHRUNK: usize = 64;
+
+/// Asks the subject about many cases and judges its answers. Ends early, with what has been found so far, when the
+/// observer wants so.
+///
+/// # Errors
+/// [`SubjectError`] if the subject cannot be asked. Mismatches are no errors.
+pub fn run(
+    subject: &mut dyn Subject,
+    options: &Options,
+    observer: &dyn Observer,
+) -> Result<Report, SubjectError> {
+    let start = Instant::now();
+    let mut tally = Tally::new(options.predicate);
+    let mut source = Source::new(options.predicate, &options.generators, options.seed, &options.meshes);
+    let total = match options.limit {
+        Limit::Cases(count) => Some(count),
+        Limit::Time(_) => None,
+    };
+    observer.stage("cases", total);
+    while !observer.cancelled() {
+        let left = match options.limit {
+            Limit::Cases(count) => count.saturating_sub(tally.cases),
+            Limit::Time(time) if start.elapsed() >= time.mul_f64(0.8) => 0,
+            Limit::Time(_) => u64::MAX,
+        };
+        if left == 0 {
+            break;
+        }
+        let pace = subject.pace().batch;
+        let batch = source.batch(usize::try_from(left).map_or(pace, |left| left.min(pace)));
+        let answers = subject.answer(options.predicate, &batch.coordinates)?;
+        tally.take(&batch, answers);
+        observer.advance(batch.origins.len() as u64);
+        if tally.all_unsupported() {
+            return Err(SubjectError::Unsupported { subject: subject.name(), predicate: options.predicate });
+        }
+    }
+    observer.stage("shrinking", None);
+    let late = || match options.limit {
+        Limit::Cases(_) => false,
+        Limit::Time(time) => start.elapsed() >= time,
+    };
+    tally.finish(subject, options.seed, &|| late() || observer.cancelled())
+}
+
+/// Asks about the cases of a corpus again; nothing is shrunk.
+///
+/// # Errors
+/// [`SubjectError`] if the subject cannot be asked.
+pub fn replay(
+    subject: &mut dyn Subject,
+    predicate: Predicate,
+    entries: &[corpus::Entry],
+) -> Result<Report, SubjectError> {
+    let mut tally = Tally::new(predicate);
+    for entry in entries.iter().filter(|entry| entry.predicate == predicate) {
+        let mut batch =
+            Batch { coordinates: entry.case.clone(), origins: vec![entry.origin], images: Vec::new() };
+        if let Some(symmetry) = &entry.symmetry {
+            batch.coordinates.extend(symmetry.image(&entry.case, predicate.dimension()));
+            batch.origins.push(entry.origin);
+            batch.images.push((1, 0, symmetry.clone()));
+        }
+        let answers = subject.answer(predicate, &batch.coordinates)?;
+        tally.take(&batch, answers);
+    }
+    tally.finish(subject, 0, &|| true)
+}
+
+/// What has been found so far.
+struct Tally {
+    predicate: Predicate,
+    cases: u64,
+    unsupported: u64,
+    mismatches: u64,
+    origins: BTreeMap<Origin, [u64; 2]>,
+    groups: BTreeMap<Key, (u64, Failure)>,
+    onsets: Onsets,
+}
+
+impl Tally {
+    fn new(predicate: Predicate) -> Self {
+        Self {
+            predicate,
+            cases: 0,
+            unsupported: 0,
+            mismatches: 0,
+            origins: BTreeMap::new(),
+            groups: BTreeMap::new(),
+            onsets: Onsets::default(),
+        }
+    }
+
+    fn all_unsupported(&self) -> bool {
+        self.cases > 0 && self.unsupported == self.cases
+    }
+
+    /// Judges a batch.
+    fn take(&mut self, batch: &Batch, answers: Vec<Answer>) {
+        let arity = self.predicate.arity();
+        let right: Vec<Option<Sign>> =
+            batch.coordinates.par_chunks_exact(arity).map(|case| judge(self.predicate, case)).collect();
+        let case = |i: usize| batch.coordinates.get(i * arity..(i + 1) * arity).unwrap_or_default().to_vec();
+        for (second, first, symmetry) in &batch.images {
+            let (Some(one), Some(other)) = (answers.get(*first), answers.get(*second)) else { continue };
+            if symmetry.contradicts(one, other) {
+                self.add(Failure {
+                    class: Class::Inconsistent,
+                    origin: batch.origins[*first],
+                    case: case(*first),
+                    answer: one.clone(),
+                    expected: right[*first].unwrap_or(Sign::Zero),
+                    symmetry: Some(symmetry.clone()),
+                });
+            }
+        }
+        for (i, ((answer, expected), origin)) in
+            answers.into_iter().zip(right).zip(&batch.origins).enumerate()
+        {
+            self.cases += 1;
+            let counts = self.origins.entry(*origin).or_default();
+            counts[0] += 1;
+            // The generators make nothing that has no answer.
+            let Some(expected) = expected else { continue };
+            self.unsupported += u64::from(answer == Answer::Unsupported);
+            if let Some(class) = Class::of(&answer, expected) {
+                counts[1] += 1;
+                self.mismatches += 1;
+                self.add(Failure { class, origin: *origin, case: case(i), answer, expected, symmetry: None });
+            }
+        }
+    }
+
+    fn add(&mut self, failure: Failure) {
+        self.onsets.note(&failure);
+        let simpler = |known: &Failure| shrink::cost(&failure.case) < shrink::cost(&known.case);
+        match self.groups.get_mut(&failure.key()) {
+            Some((count, known)) => {
+                *count += 1;
+                if simpler(known) {
+                    *known = failure;
+                }
+            }
+            None => {
+                self.groups.insert(failure.key(), (1, failure));
+            }
+        }
+    }
+
+    /// Shrinks and refines until `stop`, and sums up.
+    fn finish(
+        mut self,
+        subject: &mut dyn Subject,
+        seed: u64,
+        stop: &dyn Fn() -> bool,
+    ) -> Result<Report, SubjectError> {
+        self.onsets.refine(subject, self.predicate, stop)?;
+        let mut findings: BTreeMap<Key, Finding> = BTreeMap::new();
+        for (turn, key) in self.order().into_iter().enumerate() {
+            let Some((count, failure)) = self.groups.get(&key) else { continue };
+            let mut failure = failure.clone();
+            let mut minimal = false;
+            if turn < SHRUNK && !stop() {
+                let tries = match failure.class {
+                    Class::Hang | Class::Crash => subject.pace().crashes,
+                    _ => subject.pace().tries,
+                };
+                let shrunk = shrink::shrink(subject, self.predicate, &failure, tries, stop)?;
+                minimal = shrunk.minimal;
+                self.settle(subject, &mut failure, shrunk.case)?;
+            }
+            findings.insert(key, Finding::new(self.predicate, &failure, *count, minimal));
+        }
+        let origins = self.origins.iter().map(|(origin, [cases, mismatches])| OriginCount {
+            origin: origin.to_string(),
+            cases: *cases,
+            mismatches: *mismatches,
+        });
+        Ok(Report {
+            predicate: self.predicate,
+            subject: subject.name(),
+            seed,
+            cases: self.cases,
+            unsupported: self.unsupported,
+            mismatches: self.mismatches,
+            origins: origins.collect(),
+            onsets: self.onsets.rows(),
+            findings: findings.into_values().collect(),
+        })
+    }
+
+    /// Puts the smaller case into the failure, with its own answers.
+    fn settle(
+        &self,
+        subject: &mut dyn Subject,
+        failure: &mut Failure,
+        case: Vec<f64>,
+    ) -> Result<(), SubjectError> {
+        if case == failure.case {
+            return Ok(());
+        }
+        if let Some(answer) = subject.answer(self.predicate, &case)?.into_iter().next() {
+            failure.answer = answer;
+        }
+        failure.expected = judge(self.predicate, &case).unwrap_or(failure.expected);
+        failure.case = case;
+        Ok(())
+    }
+
+    /// The keys, so that each class and origin comes to its turn before a second band of any.
+    fn order(&self) -> Vec<Key> {
+        let mut seen: BTreeMap<(Class, Origin), usize> = BTreeMap::new();
+        let mut keys: Vec<(usize, Key)> = Vec::new();
+        for key in self.groups.keys() {
+            let turn = seen.entry((key.class, key.origin)).or_default();
+            keys.push((*turn, *key));
+            *turn += 1;
+        }
+        keys.sort();
+        keys.into_iter().map(|(_, key)| key).collect()
+    }
+}

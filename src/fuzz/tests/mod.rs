@@ -1,0 +1,6 @@
+mod campaign;
+mod generate;
+mod judge;
+mod process;
+mod shrink;
+mod text;
