@@ -8,9 +8,14 @@ use super::exact::determinant;
 use super::observer::Observer;
 use super::witness::BadTet;
 use crate::number::dyadic::scale_points;
+use crate::predicate::batch::Level;
+use crate::predicate::batch::kernel::{LANES, Row, common_error, gather, keep_positive, minus};
 use crate::predicate::{StageCounts, orient3d_staged};
 use crate::shell::decomposition::TETS;
 use crate::shell::{Layer, Shell, Slab, Tet};
+
+#[cfg(test)]
+mod tests;
 
 /// The answer to C1.
 #[derive(Debug, Default)]
@@ -21,20 +26,22 @@ pub(crate) struct Positivity {
     pub(crate) stages: StageCounts,
 }
 
-/// Prisms a batch: large enough to amortise scheduling, small enough to balance.
-const BATCH: usize = 512;
+/// Prisms a batch: large enough to amortise scheduling, small enough to balance. Whole blocks of lanes.
+const BATCH: usize = 32 * LANES;
 
 /// Decides C1. Linear in the number of prisms; all cores.
 pub(crate) fn decide(shell: &Shell, observer: &dyn Observer) -> Result<Positivity, CertifyError> {
-    let prisms: Vec<u32> = (0..shell.faces.len()).map(|p| u32::try_from(p).unwrap_or(u32::MAX)).collect();
-    let parts: Vec<Positivity> = prisms
+    let level = Level::widest();
+    let parts: Vec<Positivity> = shell
+        .faces
         .par_chunks(BATCH)
-        .map(|chunk| {
+        .enumerate()
+        .map(|(k, chunk)| {
             let mut part = Positivity::default();
             if observer.cancelled() {
                 return part;
             }
-            chunk.iter().for_each(|&p| prism(shell, p, &mut part));
+            prisms(level, shell, k * BATCH, chunk, &mut part);
             observer.advance(chunk.len() as u64);
             part
         })
@@ -48,6 +55,39 @@ pub(crate) fn decide(shell: &Shell, observer: &dyn Observer) -> Result<Positivit
         out.stages += part.stages;
     }
     Ok(out)
+}
+
+/// Some prisms, the first of which is given: whole blocks by a common bound, then one by one what this leaves open.
+fn prisms(level: Level, shell: &Shell, first: usize, faces: &[[u32; 3]], out: &mut Positivity) {
+    let (blocks, _) = faces.as_chunks::<LANES>();
+    let clear: Vec<[bool; LANES]> =
+        level.run(|| blocks.iter().map(|block| all_positive(shell, block)).collect());
+    let clear = clear.as_flattened();
+    for i in 0..faces.len() {
+        if clear.get(i) == Some(&true) {
+            out.stages.filter += 2 * TETS.len() as u64;
+        } else {
+            prism(shell, u32::try_from(first + i).unwrap_or(u32::MAX), out);
+        }
+    }
+}
+
+/// The prisms of a block all of whose tets are positive by a bound for each slab. A pinched vertex makes a tet of the table
+/// flat, so that no such prism is among them.
+#[inline(always)]
+fn all_positive(shell: &Shell, faces: &[[u32; 3]; LANES]) -> [bool; LANES] {
+    let layers: [[Row; 3]; 3] =
+        [Layer::Bottom, Layer::Middle, Layer::Top].map(|layer| gather(shell.layer(layer), faces));
+    let mut kept = [true; LANES];
+    for [lo, hi] in [[&layers[0], &layers[1]], [&layers[1], &layers[2]]] {
+        let error = common_error(&[&lo[0], &lo[1], &lo[2], &hi[0], &hi[1], &hi[2]]);
+        for tet in &TETS {
+            let [a, b, c, d] =
+                tet.vertices.map(|(corner, is_hi)| &(if is_hi { hi } else { lo })[usize::from(corner)]);
+            keep_positive(&mut kept, &minus(b, a), &minus(c, a), &minus(d, a), &error);
+        }
+    }
+    kept
 }
 
 fn prism(shell: &Shell, prism: u32, out: &mut Positivity) {

@@ -13,6 +13,21 @@ pub(crate) type Row = [Lane; 3];
 /// The zero block.
 pub(crate) const ZERO: Row = [[0.0; LANES]; 3];
 
+/// The points of a block of inputs.
+#[inline(always)]
+pub(crate) fn gather<const N: usize>(vertices: &[[f64; 3]], inputs: &[[u32; N]]) -> [Row; N] {
+    let mut out = [ZERO; N];
+    for (l, ids) in inputs.iter().enumerate().take(LANES) {
+        for (row, id) in out.iter_mut().zip(ids) {
+            let point = &vertices[*id as usize];
+            for axis in 0..3 {
+                row[axis][l] = point[axis];
+            }
+        }
+    }
+    out
+}
+
 /// The sign of `det[p, q, r]` as 1 or -1 where the filter decides, 0 where it does not. Rows are ROUNDED differences; the bound
 /// is proved at `determinant::filter3`.
 #[inline(always)]

@@ -23,7 +23,7 @@ mod tests;
 pub use level::Level;
 
 use super::{Sign, StageCounts, dot_sign_staged, orient3d_staged};
-use kernel::{LANES, Row, ZERO, filter3, minus};
+use kernel::{LANES, Row, ZERO, filter3, gather, minus};
 
 /// One point of every input: its coordinates by axis, input `i` at index `i` of each.
 #[derive(Clone, Copy, Debug)]
@@ -236,21 +236,6 @@ fn check_indices<const N: usize>(
         })
     };
     inputs.iter().enumerate().find_map(first).map_or(Ok(()), Err)
-}
-
-/// The points of a block of inputs.
-#[inline(always)]
-fn gather<const N: usize>(vertices: &[[f64; 3]], inputs: &[[u32; N]]) -> [Row; N] {
-    let mut out = [ZERO; N];
-    for (l, ids) in inputs.iter().enumerate().take(LANES) {
-        for (row, id) in out.iter_mut().zip(ids) {
-            let point = &vertices[*id as usize];
-            for axis in 0..3 {
-                row[axis][l] = point[axis];
-            }
-        }
-    }
-    out
 }
 
 /// All signs: blocks through the filter, then one by one what it left open, and the tail.
