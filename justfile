@@ -67,7 +67,8 @@ mutants file="certs/src/**":
     CARGO_PROFILE_DEV_DEBUG=0 cargo mutants --package homeo-certs -f '{{file}}' --timeout 30 -o target
 
 # Audit every third-party pair, cage and tet map of the data; both checkers judge every document; writes
-# benches/audit-zoo.* and benches/RESULTS.md (a quarter of an hour)
+# benches/audit-zoo.* and benches/RESULTS.md (half an hour; each optimisation ends
+# after a minute, `--time-limit` changes that)
 audit-zoo *options:
     cargo build --release -p homeo -p homeo-certs
-    python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo --results benches {{options}}
+    python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo --results benches --time-limit 60 {{options}}
