@@ -308,6 +308,13 @@ def reasons(m):
     turned("twice", "twice", ["monodromy"])
     m("monodromy", "monodromy-is-twice", "invalid not-refuted", "the first reason turned into twice",
       lambda t: t.replace("\nmonodromy\n", "\ntwice\n", 1))
+    alone = [
+        ("boundary-at-corner", "valid", "a corner of the mesh inside the shell", "1 0 0", "m0,t1,t2", "boundary", "1 .5 .25/3 1 .25/3 3 .25"),
+        ("wall-at-corner", "invalid not-refuted", "a corner of the mesh on a wall", "1 0 0", "m0,m1,t1", "wall", "2 0 .25/3 1 .25/2.5 1.5 .25"),
+        ("wall-at-pillar", "valid", "a triangle pierced by a pillar of the boundary", "1 1 1", "m1,t1", "wall", "3 -1 .5/6 0 .5/3 1 .5")]
+    for name, answer, what, weights, names, reason, mesh in alone:
+        m("boundary", name, answer, what,
+          whole("-section -bijection", f"begin no-section\nroot 0 {weights}\nbranch {names}\nstart m0,m1,t1,t2\n{reason}"), files={"mesh": off(mesh, "0 1 2")})
     m("boundary", "fold-on-face", "invalid not-refuted", "a steep dot at a face between two tets that the triangle crosses",
       whole("-section -bijection", "begin no-section\nroot 0 1 1 1\nbranch m0,m1,t2\nstart m0,m1,m2,t2\nfold"),
       files={"mesh": off("2 .5 .25/2.5 1.5 .25/3 1 .25", "0 1 2")})
