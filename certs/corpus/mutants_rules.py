@@ -15,7 +15,8 @@ def add_all(corpus):
     m = functools.partial(corpus.add, facts=True)
 
     for part in (positivity, carriers, cells, hand_made_overlays, double_cover, degrees, topology, roots, steps, stars,
-                 reasons, separation, separation_from_layers, crossings, contacts, separation_from_tets, harmless):
+                 reasons, separation, separation_from_layers, crossings, contacts, separation_from_tets, separation_from_boxes,
+                 refuted_for_another_reason, harmless):
         part(m)
 
 
@@ -275,6 +276,22 @@ def stars(m):
       blocks(no_section=root + above + edge.replace("start m0,m1,m2,t2", "start m0,m1,t1,t2") + "lands"))
     m("bad-tet", "step-turned-over", w, "a step into a tet that is turned over",
       blocks(no_section="root 0 1 1 1\nbranch m0,m1,m2\nstart m0,m1,m2,t2\nstep 0 1 1 0 m0,m1,t1,t2\nlands"))
+    # Tets around a pillar: three blunt wedges side by side, and five right ones, of which the last lies on the first.
+    leave = "root 0 1 0 0\nbranch m0,t0\nstart m0,t0,t1,t2\nstep 0 1 1 1 m0,t0,t1,t2\nlands"
+    for name, answer, what, rim in [
+            ("step-from-pillar", n, "a good step from a pillar; nothing is refuted by landing", "4 0/-2 4/-2 -4/4 0"),
+            ("step-from-wound-pillar", w, "a step from a pillar that the prisms wind around more than once", "4 0/0 4/-4 0/0 -4/4 0/0 4")]:
+        m("boundary", name, answer, what, whole("-section -bijection", f"begin no-section\n{leave}"), files=cone(rim.split("/")))
+
+
+def cone(rim):
+    """Straight prisms around the origin, and one mesh triangle half way up; the rim closes if it ends where it began."""
+    closed = rim[0] == rim[-1]
+    rim = rim[:-1] if closed else rim
+    count = len(rim)
+    faces = "/".join(f"0 {i} {i % count + 1}" for i in range(1, count + closed))
+    layers = {part: off("/".join(f"{p} {z}" for p in ["0 0", *rim]), faces) for part, z in (("bottom", -1), ("middle", 0), ("top", 1))}
+    return {**layers, "mesh": off("0 0 .5/1 .25 .5/.5 .75 .5", "0 1 2")}
 
 
 def reasons(m):
@@ -291,6 +308,16 @@ def reasons(m):
     turned("twice", "twice", ["monodromy"])
     m("monodromy", "monodromy-is-twice", "invalid not-refuted", "the first reason turned into twice",
       lambda t: t.replace("\nmonodromy\n", "\ntwice\n", 1))
+    alone = [
+        ("boundary-at-corner", "valid", "a corner of the mesh inside the shell", "1 0 0", "m0,t1,t2", "boundary", "1 .5 .25/3 1 .25/3 3 .25"),
+        ("wall-at-corner", "invalid not-refuted", "a corner of the mesh on a wall", "1 0 0", "m0,m1,t1", "wall", "2 0 .25/3 1 .25/2.5 1.5 .25"),
+        ("wall-at-pillar", "valid", "a triangle pierced by a pillar of the boundary", "1 1 1", "m1,t1", "wall", "3 -1 .5/6 0 .5/3 1 .5")]
+    for name, answer, what, weights, names, reason, mesh in alone:
+        m("boundary", name, answer, what,
+          whole("-section -bijection", f"begin no-section\nroot 0 {weights}\nbranch {names}\nstart m0,m1,t1,t2\n{reason}"), files={"mesh": off(mesh, "0 1 2")})
+    m("boundary", "fold-on-face", "invalid not-refuted", "a steep dot at a face between two tets that the triangle crosses",
+      whole("-section -bijection", "begin no-section\nroot 0 1 1 1\nbranch m0,m1,t2\nstart m0,m1,m2,t2\nfold"),
+      files={"mesh": off("2 .5 .25/2.5 1.5 .25/3 1 .25", "0 1 2")})
     m("lands", "lands-is-wall", "invalid not-refuted", "the last reason turned into wall",
       swap("start m0,m1,t1,t2\nlands", "start m0,m1,t1,t2\nwall"))
     m("twice", "twice-cut", "invalid not-refuted", "the last step left out", drop("step 16 1 1 2 m0,m1,m3,t3"))
@@ -298,6 +325,8 @@ def reasons(m):
       lambda t: re.sub("(start .*\n(step .*\n)*)(start .*\n(step .*\n)*)twice", r"\1\1twice", t))
     m("monodromy", "monodromy-cut", "invalid not-refuted", "a leg that ends before it closes",
       lines("step 0 1 1 2 m16,m17,m19,t19\nmonodromy", "monodromy"))
+    m("monodromy", "monodromy-scaled", "valid", "the weights of a leg's end doubled",
+      lines("step 0 1 1 2 m16,m17,m19,t19\nmonodromy", "step 0 2 2 4 m16,m17,m19,t19\nmonodromy"))
 
 
 def separation(m):
@@ -436,8 +465,38 @@ def separation_from_tets(m):
     row("contact-sep-twice", "malformed syntax", "a contact-sep line twice", [seps[0], *seps])
 
 
+def separation_from_boxes(m):
+    """As above, but only one layer of the other prism (3 4 5) comes near the triangle 0 of the first (0 1 6). Vertex 2 is unused."""
+    upright = [("bottom", -1), ("middle", 0), ("top", 1)]
+    first, near = "0 0 {0}/4 0 {0}", "3 3 {0}/3 3.5 {0}/3.5 3 {0}"
+    wide, narrow = "3 3 {0}/3 6 {0}/6 3 {0}", "4.25 4.25 {0}/4.25 5.25 {0}/5.25 4.25 {0}"
+    for layer, height, unused, other in [
+            ("bottom", 1, "3.25 3.25", [near, near, near]), ("top", 0, "3.25 3.25", [near, near, near]),
+            ("middle", 0, "5 5", [narrow, wide, narrow])]:
+        files = {part: off(f"{first.format(z + height)}/{unused} {.5 + .125 * z}/{low.format(.25 - z)}/0 4 {z + height}", "0 1 6/3 4 5")
+                 for (part, z), low in zip(upright, other)}
+        files["mesh"] = off(f"{first.format(height)}/0 4 {height}/{other[1].format(.25)}", "0 1 2/3 4 5")
+        facts = [f"v {i} m{n}" for i, n in enumerate([0, 1, 6, 3, 4, 5])]
+        facts += ["c 0 1 2", "c 3 4 5", "d mesh 0 0", "d mesh 1 0", "d middle 0 0", "d middle 1 0"]
+        blocks = ["overlay", *facts, "begin disjoint-mesh", "begin disjoint-bottom", "begin disjoint-top", "begin i2"]
+        m("two-components", f"no-contact-sep-{layer}", "invalid missing-separation",
+          f"a prism of which only the {layer} comes near a triangle, and no plane", whole(EVERYTHING, "begin " + "\n".join(blocks)), files=files)
+
+
 # The tets that no plane of a face separates from the other prism's triangle (by the definition, tried out on all 24).
 OPEN_BELOW = ["m3,t3,m4,m5", "m3,t3,m4,t5", "m3,t3,t4,m5", "m3,t3,t4,t5", "m3,m4,t4,m5", "m3,m4,m5,t5", "t3,m4,t4,t5", "t3,t4,m5,t5"]
+
+
+def refuted_for_another_reason(m):
+    """`section-all-orders` is refuted since `positivity` is: nothing else is asked, not even on a bent wall."""
+    files = {"bottom": off("0 0 -1/1 0 -1/0 3 .25", "0 1 2"), "middle": off("0 0 0/1 0 0/0 1 0", "0 1 2"),
+             "top": off("0 -.25 1/1 0 1/0 1 1", "0 1 2"), "mesh": off("0 -.125 .5/1 0 .5/0 1 .5/.5 0 .5", "0 3 2/3 1 2")}
+    overlay = ("v 0 m0,t0/v 1 m1,t1/v 2 m2,t2/v 3 m0,t1/v 0,2 m0,t2/v 1,2 m1,t2/v 2,3 m0,m1,t2/"
+               "c 0 3 4/c 3 6 4/c 4 6 2/c 3 1 5 6/c 6 5 2/d mesh 0 0/d middle 3 1").replace("/", "\n")
+    section = f"begin overlay\n{overlay}"
+    m("boundary", "all-orders-bent-wall", "invalid not-positive", "all claimed, on a bent wall and with a bad tet", whole(ALL_ORDERS, section), files=files)
+    m("boundary", "all-orders-refuted-bent-wall", "valid", "refuted since positivity is",
+      whole("-positivity section bijection -section-all-orders", f"begin positivity\ntet 0 m0,m1,b2,m2 -1*2^-2\n{section}"), files=files)
 
 
 def harmless(m):

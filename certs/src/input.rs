@@ -1,6 +1,6 @@
 //! The input files: which are given, OFF and OBJ meshes, and what a shell and a mesh hash to.
 
-use crate::{Res, hdf5, malformed};
+use crate::{LIMIT, Res, hdf5, malformed};
 use sha2::{Digest, Sha256};
 
 /// A point as the bits of three finite doubles.
@@ -21,7 +21,7 @@ pub(crate) struct Shell {
 
 /// Reads the one to four files; the mesh that an HDF5 shell holds is read only when it is needed.
 pub(crate) fn read(files: &[Vec<u8>], need_mesh: bool) -> Res<(Shell, Option<Mesh>)> {
-    if let Some(i) = files.iter().position(|file| file.len() > 1 << 30) {
+    if let Some(i) = files.iter().position(|file| file.len() > LIMIT) {
         return malformed("input", format!("input file {} is larger than 2^30 bytes", i + 1));
     }
     let named = |i: usize| mesh(&files[i]).map_err(|why| format!("input file {}: {why}", i + 1));

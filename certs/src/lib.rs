@@ -50,6 +50,9 @@ use world::World;
 type Map<K, V> = std::collections::HashMap<K, V, RandomState>;
 type Set<T> = std::collections::HashSet<T, RandomState>;
 
+/// The bytes that a file may have.
+const LIMIT: usize = 1 << 30;
+
 /// The answer of a check.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Outcome {
@@ -104,13 +107,8 @@ pub fn check(cert: &[u8], inputs: &[Vec<u8>]) -> Outcome {
 
 /// Checks a certificate file against its input files.
 pub fn check_files<P: AsRef<Path>>(cert: &Path, inputs: &[P]) -> Outcome {
-    let load = || {
-        inputs
-            .iter()
-            .map(|path| load(path.as_ref(), (1 << 30) + 1, "input"))
-            .collect::<Res<Vec<_>>>()
-            .map(Cow::Owned)
-    };
+    let load =
+        || inputs.iter().map(|path| load(path.as_ref(), "input")).collect::<Res<Vec<_>>>().map(Cow::Owned);
     outcome(load_cert(cert).and_then(|bytes| run(&bytes, load)))
 }
 
@@ -128,8 +126,7 @@ pub fn compose(certs: [&[u8]; 2], shell: &[u8], meshes: [&[u8]; 2]) -> Outcome {
 /// The same for five files: the certificates of A and of B, the shell, A and B.
 pub fn compose_files<P: AsRef<Path>>(files: &[P]) -> Outcome {
     let one = |name, cert: &P, inputs: [&P; 2]| {
-        let load =
-            || inputs.iter().map(|path| load(path.as_ref(), (1 << 30) + 1, "input")).collect::<Res<Vec<_>>>();
+        let load = || inputs.iter().map(|path| load(path.as_ref(), "input")).collect::<Res<Vec<_>>>();
         compose::checked(name, load_cert(cert.as_ref()).map(Cow::Owned), || load().map(Cow::Owned))
     };
     let both = || match files {
@@ -143,12 +140,13 @@ pub fn compose_files<P: AsRef<Path>>(files: &[P]) -> Outcome {
 }
 
 fn load_cert(path: &Path) -> Res<Vec<u8>> {
-    load(path, (1 << 30) + 1, "usage")
+    load(path, "usage")
 }
 
-fn load(path: &Path, limit: u64, code: &'static str) -> Res<Vec<u8>> {
+/// A file's bytes, one more than are allowed at the most: what is longer is then told from what is cut.
+fn load(path: &Path, code: &'static str) -> Res<Vec<u8>> {
     let mut bytes = Vec::new();
-    let read = std::fs::File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes));
+    let read = std::fs::File::open(path).and_then(|file| file.take(LIMIT as u64 + 1).read_to_end(&mut bytes));
     read.map_or_else(|error| malformed(code, format!("{}: {error}", path.display())), |_| Ok(bytes))
 }
 

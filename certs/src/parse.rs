@@ -2,7 +2,7 @@
 
 use crate::Set;
 use crate::line::{Bounds, Line, Names4, Plane, Value, weights};
-use crate::{Fail, Res, fail, malformed};
+use crate::{Fail, LIMIT, Res, fail, malformed};
 use num_bigint::BigInt;
 
 pub(crate) const CLAIMS: [&str; 9] = [
@@ -136,7 +136,7 @@ pub(crate) fn parse(bytes: &[u8]) -> Res<Cert> {
 impl<'a> Parser<'a> {
     /// A file with this first line, judged as a whole.
     pub(crate) fn open(bytes: &'a [u8], magic: &str) -> Res<Self> {
-        if bytes.len() > 1 << 30 {
+        if bytes.len() > LIMIT {
             return fail(3, "size", "the certificate is larger than 2^30 bytes");
         }
         let bad = bytes.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e));

@@ -3,7 +3,7 @@
 use super::cells::Cells;
 use super::points::Hom;
 use crate::number::decode;
-use crate::{Res, input, malformed};
+use crate::{LIMIT, Res, input, malformed};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
@@ -28,7 +28,7 @@ pub(super) fn read(files: &[Vec<u8>], many: usize) -> Res<Vec<Complex>> {
     if files.len() != many {
         return malformed("input", format!("{} input files where {many} are expected", files.len()));
     }
-    if let Some(i) = files.iter().position(|file| file.len() > 1 << 30) {
+    if let Some(i) = files.iter().position(|file| file.len() > LIMIT) {
         return malformed("input", format!("input file {} is larger than 2^30 bytes", i + 1));
     }
     let named = |(i, file): (usize, &Vec<u8>)| {
