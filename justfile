@@ -40,13 +40,14 @@ fuzz target="certificate" seconds="60":
     cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
 # Long runs, each of which ends at the first disagreement (hours): fast predicates against the exact judge, everything against
-# CGAL, random small shells against the definitions, certificates with one fact falsified
+# CGAL, random small shells against the definitions, arithmetic on all backends, certificates with one fact falsified
 campaign cases="12000000" shells="1000000" lies="100000":
     cargo build --release -p homeo
     for p in orient2d orient3d incircle insphere dot_sign point_in_tet triangle_triangle segment_triangle ray_triangle; do \
         target/release/homeo fuzz $p --subject fast --cases {{cases}} || exit 1; done
     reference/cross_validate.sh --full
     HOMEO_CASES={{shells}} cargo test --release -p homeo-proptests --test verdicts --test sections -- --nocapture
+    just numbers
     just lies {{lies}}
     @echo "campaign: no disagreement"
 
@@ -58,9 +59,15 @@ cross-validate *options:
 lies count="100000" seed="1":
     HOMEO_LIES={{count}} HOMEO_SEED={{seed}} cargo test --release -p homeo-proptests --test lies -- --nocapture
 
-# Line coverage by a crate's own tests (needs cargo-llvm-cov; HOMEO_DATA for the reader of HDF5)
-coverage package="homeo-certs":
-    cargo llvm-cov -p {{package}} --summary-only
+# The laws of arithmetic on all four number backends (needs m4 and make)
+numbers cases="1000000":
+    HOMEO_CASES={{cases}} cargo test --release --features rug,malachite,num-rational --lib number::tests::quick
+
+# Line coverage by a package's own tests against the goals; exit 1 below one (needs cargo-llvm-cov, python3, and HOMEO_DATA for HDF5)
+coverage:
+    cargo llvm-cov -p homeo-certs --json --summary-only --output-path target/coverage-certs.json
+    cargo llvm-cov -p homeo --json --summary-only --output-path target/coverage-homeo.json
+    python3 -B reference/coverage.py target/coverage-certs.json certs/src=95 target/coverage-homeo.json src/predicate=90 src/certify=90
 
 # Mutants of the checker that its tests do not notice (needs cargo-mutants; hours); `file` narrows it
 mutants file="certs/src/**":

@@ -16,5 +16,7 @@ fn verdicts_agree_with_the_definitions_quickcheck() {
         compare(&recipe.build()).map(drop)
     }
     let tests = std::env::var("HOMEO_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(500);
-    quickcheck::QuickCheck::new().tests(tests).quickcheck(property as fn(Recipe) -> Result<(), String>);
+    // Without `max_tests` quickcheck ends after 10000 cases, and says nothing.
+    let mut runner = quickcheck::QuickCheck::new().tests(tests).max_tests(tests).min_tests_passed(tests);
+    runner.quickcheck(property as fn(Recipe) -> Result<(), String>);
 }

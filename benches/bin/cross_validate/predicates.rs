@@ -1,8 +1,8 @@
 //! Predicates: homeo's answers against those of EPICK and EPECK.
 
 use homeo::predicate::{
-    Axis, Meeting, Sign, dot_sign, orient2d, orient3d, point_in_tet, same_point, segment_triangle,
-    triangle_tet, triangle_triangle, zero_area,
+    Axis, Meeting, Sign, dot_sign, incircle, insphere, orient2d, orient3d, point_in_tet, ray_triangle,
+    same_point, segment_triangle, triangle_tet, triangle_triangle, zero_area,
 };
 use homeo::shell::decomposition::TETS;
 use homeo_benches::cgal::{Cgal, CgalError};
@@ -25,8 +25,8 @@ struct Predicate {
     name: &'static str,
     points: usize,
     dimension: usize,
-    /// homeo's answer; `None` where homeo has no such predicate and CGAL's kernels are compared with each other.
-    ours: Option<fn(Points<'_>) -> i8>,
+    /// homeo's answer.
+    ours: fn(Points<'_>) -> i8,
     /// The triangles (first corner) that must have area; with `segment`, points 0 and 1 must differ.
     triangles: &'static [usize],
     segment: bool,
@@ -34,42 +34,44 @@ struct Predicate {
     tet: bool,
 }
 
-const PLAIN: Predicate =
-    Predicate { name: "", points: 0, dimension: 3, ours: None, triangles: &[], segment: false, tet: false };
+/// What most of them have. Its answer is none, so a predicate that keeps it disagrees with every program.
+const PLAIN: Predicate = Predicate {
+    name: "",
+    points: 0,
+    dimension: 3,
+    ours: |_| ours::NONE,
+    triangles: &[],
+    segment: false,
+    tet: false,
+};
 
 const PREDICATES: [Predicate; 12] = [
-    Predicate { name: "orient2d", points: 3, dimension: 2, ours: Some(ours::orient2d), ..PLAIN },
-    Predicate { name: "orient3d", points: 4, ours: Some(ours::orient3d), ..PLAIN },
-    Predicate { name: "dot_sign", points: 5, ours: Some(ours::dot), ..PLAIN },
-    Predicate { name: "point_in_tet", points: 5, ours: Some(ours::in_tet), ..PLAIN },
-    Predicate {
-        name: "triangle_triangle",
-        points: 6,
-        ours: Some(ours::triangles),
-        triangles: &[0, 3],
-        ..PLAIN
-    },
+    Predicate { name: "orient2d", points: 3, dimension: 2, ours: ours::orient2d, ..PLAIN },
+    Predicate { name: "orient3d", points: 4, ours: ours::orient3d, ..PLAIN },
+    Predicate { name: "dot_sign", points: 5, ours: ours::dot, ..PLAIN },
+    Predicate { name: "point_in_tet", points: 5, ours: ours::in_tet, ..PLAIN },
+    Predicate { name: "triangle_triangle", points: 6, ours: ours::triangles, triangles: &[0, 3], ..PLAIN },
     Predicate {
         name: "segment_triangle",
         points: 5,
-        ours: Some(ours::segment),
+        ours: ours::segment,
         triangles: &[2],
         segment: true,
         ..PLAIN
     },
-    Predicate { name: "triangle_tet", points: 7, ours: Some(ours::tet), triangles: &[0], tet: true, ..PLAIN },
-    Predicate { name: "prism_positivity", points: 6, ours: Some(ours::prism), ..PLAIN },
-    Predicate { name: "section_dot", points: 9, ours: Some(ours::section), ..PLAIN },
-    Predicate { name: "incircle", points: 4, dimension: 2, ..PLAIN },
-    Predicate { name: "insphere", points: 5, ..PLAIN },
-    Predicate { name: "ray_triangle", points: 5, triangles: &[2], segment: true, ..PLAIN },
+    Predicate { name: "triangle_tet", points: 7, ours: ours::tet, triangles: &[0], tet: true, ..PLAIN },
+    Predicate { name: "prism_positivity", points: 6, ours: ours::prism, ..PLAIN },
+    Predicate { name: "section_dot", points: 9, ours: ours::section, ..PLAIN },
+    Predicate { name: "incircle", points: 4, dimension: 2, ours: ours::circle, ..PLAIN },
+    Predicate { name: "insphere", points: 5, ours: ours::sphere, ..PLAIN },
+    Predicate { name: "ray_triangle", points: 5, ours: ours::ray, triangles: &[2], segment: true, ..PLAIN },
 ];
 
 /// homeo's predicates in the order of points of `docs/SUBJECTS.md`. A slice of another length gives 2: no answer.
 mod ours {
     use super::*;
 
-    const NONE: i8 = 2;
+    pub(super) const NONE: i8 = 2;
 
     fn met(meeting: Meeting) -> i8 {
         i8::from(meeting.meets())
@@ -88,6 +90,22 @@ mod ours {
     pub(super) fn dot(p: Points<'_>) -> i8 {
         let [a, b, c, s, t] = p else { return NONE };
         dot_sign(a, b, c, s, t).as_i8()
+    }
+
+    pub(super) fn circle(p: Points<'_>) -> i8 {
+        let [a, b, c, d] = p else { return NONE };
+        let [a, b, c, d] = [a, b, c, d].map(|[x, y, _]| [*x, *y]);
+        incircle(&a, &b, &c, &d).as_i8()
+    }
+
+    pub(super) fn sphere(p: Points<'_>) -> i8 {
+        let [a, b, c, d, e] = p else { return NONE };
+        insphere(a, b, c, d, e).as_i8()
+    }
+
+    pub(super) fn ray(p: Points<'_>) -> i8 {
+        let [o, q, a, b, c] = p else { return NONE };
+        i8::from(ray_triangle([o, q], [a, b, c]))
     }
 
     pub(super) fn in_tet(p: Points<'_>) -> i8 {
@@ -193,28 +211,22 @@ pub(crate) fn run(
         epeck: Subject::start(&cgal.0, "subject_epeck", &[])?,
         control: Subject::start(&cgal.0, "subject_double", &[])?,
     };
-    let judged = PREDICATES.iter().filter(|p| p.ours.is_some()).count();
     let header =
         ["predicate", "homeo and EPICK", "homeo and EPECK", "-1", "0", "1", "doubles wrong", "disagree"];
     let mut table = Table::new(&header);
     let mut sums = Counts::default();
     for (salt, predicate) in (0..).zip(&PREDICATES) {
-        let share = (cases.div_ceil(judged), exact.div_ceil(PREDICATES.len()));
+        let share = (cases.div_ceil(PREDICATES.len()), exact.div_ceil(PREDICATES.len()));
         let before = findings.count();
         let mut generator = Generator(Random(seed.wrapping_add(salt << 40)));
         let mut counts = predicate.compare(&mut subjects, share, &mut generator, findings)?;
         counts[6] = usize::try_from(findings.count() - before).unwrap_or(usize::MAX);
         let mut row = vec![predicate.name.to_owned()];
         row.extend(counts.iter().map(ToString::to_string));
-        if predicate.ours.is_none() {
-            row[1] = "none".to_owned();
-            row[2] = format!("EPICK and EPECK: {}", counts[1]);
-        } else {
-            sums.iter_mut().zip(&counts).for_each(|(sum, n)| *sum += n);
-        }
+        sums.iter_mut().zip(&counts).for_each(|(sum, n)| *sum += n);
         table.row(row);
     }
-    let mut row = vec!["all of homeo's".to_owned()];
+    let mut row = vec!["all".to_owned()];
     row.extend(sums.iter().map(ToString::to_string));
     table.row(row);
     print!("{}", table.render());
@@ -233,7 +245,7 @@ impl Predicate {
         generator: &mut Generator,
         findings: &mut Findings,
     ) -> Result<Counts, CgalError> {
-        let total = if self.ours.is_some() { cases.max(exact) } else { exact };
+        let total = cases.max(exact);
         let mut counts = Counts::default();
         while counts[0] < total {
             let n = BATCH.min(total - counts[0]);
@@ -246,18 +258,16 @@ impl Predicate {
             if m > 0 {
                 subjects.epeck.send(self.name, m, &numbers[..m * self.arity()])?;
             }
-            let ours: Option<Vec<i8>> =
-                self.ours.map(|f| batch.iter().map(|(_, points)| f(points)).collect());
+            let ours: Vec<i8> = batch.iter().map(|(_, points)| (self.ours)(points)).collect();
             let epick = subjects.epick.signs(n)?;
             let epeck = if m > 0 { subjects.epeck.signs(m)? } else { Vec::new() };
             for (i, (numbers, _)) in batch.iter().enumerate() {
                 let theirs = [Some(epick[i]), epeck.get(i).copied()];
-                let mine = ours.as_ref().map_or(epick[i], |answers| answers[i]);
+                let mine = ours[i];
                 if theirs.into_iter().flatten().any(|answer| answer != mine) {
                     let kind = Kind::ALL[i % Kind::ALL.len()];
-                    let homeo = ours.as_ref().map(|answers| answers[i]);
                     findings.add(&format!(
-                        "{kind:?}: homeo {homeo:?}, EPICK {:?}, EPECK {:?}: {}",
+                        "{kind:?}: homeo {mine}, EPICK {:?}, EPECK {:?}: {}",
                         theirs[0],
                         theirs[1],
                         line(self.name, numbers)

@@ -18,7 +18,7 @@ fn float<R: Rational>(x: f64) -> R {
 
 fn runner(cases: u32) -> TestRunner {
     TestRunner::new_with_rng(
-        Config { cases, failure_persistence: None, ..Config::default() },
+        Config { cases: super::cases(cases), failure_persistence: None, ..Config::default() },
         proptest::test_runner::TestRng::deterministic_rng(proptest::test_runner::RngAlgorithm::ChaCha),
     )
 }
@@ -268,10 +268,4 @@ fn agree<A: Rational, B: Rational>() {
     result.expect("agreement");
 }
 
-suite!(dashu, crate::number::Rat);
-#[cfg(feature = "rug")]
-suite!(rug, rug::Rational);
-#[cfg(feature = "malachite")]
-suite!(malachite, malachite::rational::Rational);
-#[cfg(feature = "num-rational")]
-suite!(num_rational, num_rational::Ratio<num_bigint::BigInt>);
+super::backends!(suite);
