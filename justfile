@@ -39,8 +39,10 @@ fuzz target="certificate" seconds="60":
     cargo run --quiet --manifest-path fuzz/Cargo.toml --example seeds
     cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
-# Long runs, each of which ends at the first disagreement (hours): fast predicates against the exact judge, everything against
-# CGAL, random small shells against the definitions, arithmetic on all backends, certificates with one fact falsified
+# Fast predicates against the exact judge, everything against CGAL, small shells against the definitions, arithmetic on all
+# backends, certificates with one fact falsified.
+
+# Long comparisons (hours); ends at the first disagreement
 campaign cases="12000000" shells="1000000" lies="100000":
     cargo build --release -p homeo
     for p in orient2d orient3d incircle insphere dot_sign point_in_tet triangle_triangle segment_triangle ray_triangle; do \
@@ -73,9 +75,9 @@ coverage:
 mutants file="certs/src/**":
     CARGO_PROFILE_DEV_DEBUG=0 cargo mutants --package homeo-certs -f '{{file}}' --timeout 30 -o target
 
-# Audit every third-party pair, cage and tet map of the data; both checkers judge every document; writes
-# benches/audit-zoo.* and benches/RESULTS.md (half an hour; each optimisation ends
-# after a minute, `--time-limit` changes that)
+# `--time-limit S` changes how long each optimisation may take.
+
+# Audit every third-party pair, cage and tet map of the data; both checkers judge every document (half an hour; benches/audit-zoo.*)
 audit-zoo *options:
     cargo build --release -p homeo -p homeo-certs
     python3 reference/audit_zoo.py target/release/homeo target/release/homeo-check ${HOMEO_DATA:-../shared/data} target/audit-zoo --results benches --time-limit 60 {{options}}
