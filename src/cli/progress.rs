@@ -20,7 +20,7 @@ pub(super) enum Style {
     /// A line that is overwritten if standard error is a terminal, else nothing
     #[default]
     Auto,
-    /// A line every three seconds, on whatever standard error is
+    /// A line for every new stage and every three seconds, on whatever standard error is
     Plain,
 }
 
@@ -49,7 +49,8 @@ struct Stages {
 }
 
 impl Stages {
-    fn begin(&mut self, next: Option<&'static str>) {
+    /// Ends the current stage; is the next one new?
+    fn begin(&mut self, next: Option<&'static str>) -> bool {
         let now = Instant::now();
         if let Some((name, since)) = self.current.take() {
             let seconds = now.duration_since(since).as_secs_f64();
@@ -59,6 +60,7 @@ impl Stages {
             }
         }
         self.current = next.map(|name| (name, now));
+        next.is_some_and(|name| self.past.iter().all(|(known, _)| *known != name))
     }
 }
 
@@ -149,7 +151,10 @@ fn style(template: &str) -> ProgressStyle {
 
 impl Observer for Progress {
     fn stage(&self, name: &'static str, total: Option<u64>) {
-        self.state.stages.lock().unwrap_or_else(PoisonError::into_inner).begin(Some(name));
+        let is_new = self.state.stages.lock().unwrap_or_else(PoisonError::into_inner).begin(Some(name));
+        if is_new && self.plain.is_some() {
+            let _ = writeln!(std::io::stderr(), "homeo: {}", self.state.words());
+        }
         let Some(bar) = &self.bar else { return };
         match total {
             Some(total) => {

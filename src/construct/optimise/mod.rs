@@ -267,6 +267,7 @@ impl<'m> Optimiser<'m> {
             }
             let name = self.position.phase.name();
             if name != stage && !self.is_done() {
+                observer.prisms(self.work.state.live as u64);
                 observer.stage(name, None);
                 stage = name;
             }
