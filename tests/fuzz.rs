@@ -68,6 +68,7 @@ fn wrong_usage_is_one_line_and_code_2() {
         &["fuzz", "orient3d", "--subject", "fast", "--binary"],
         &["fuzz", "orient3d", "--subject", "fast", "--generators", "real"],
         &["fuzz", "orient3d", "--subject", "fast", "--seconds=-1"],
+        &["fuzz", "orient3d", "--subject", "fast", "--cases", "0", "--quiet"],
         &["fuzz", "ray_triangle", "--subject", "robust", "--cases", "10"],
         &["fuzz", "orient3d", "--subject", "fast", "--replay", "/there/is/no/file"],
         &["fuzz", "orient3d", "--subject", "fast", "--mesh", "/there/is/no/file"],

@@ -1,6 +1,6 @@
 //! Readers: no panic on any bytes, and what is accepted survives being written and read again.
 
-use homeo::certify::pl;
+use homeo::certify::pl::{self, PlError};
 use homeo::mesh::{self, Format};
 use homeo::shell::hdf5;
 
@@ -28,14 +28,18 @@ pub fn mesh(data: &[u8]) {
 /// decided or refused by name, and the checker accepts the answer about the file that is written for it.
 ///
 /// # Panics
-/// If the checker refuses an answer.
+/// If the checker refuses an answer, or the certifier contradicts itself.
 pub fn complex(data: &[u8]) {
     for format in Format::READ_ONLY {
         let Ok(file) = mesh::parse_complex(data, format, "fuzz") else { continue };
         if file.complex.cells.len() > 64 {
             continue;
         }
-        let Ok(outcome) = pl::embedded(&file.complex, &homeo::certify::Silent) else { continue };
+        let outcome = match pl::embedded(&file.complex, &homeo::certify::Silent) {
+            Ok(outcome) => outcome,
+            Err(PlError::Certify(contradiction)) => panic!("{contradiction}"),
+            Err(_) => continue,
+        };
         let answer =
             homeo_certs::check(outcome.certificate.as_bytes(), &[pl::complex_file(&file.complex).into()]);
         assert_eq!(answer.exit, 0, "{} {}\n{}", answer.code, answer.message, outcome.certificate);

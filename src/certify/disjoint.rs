@@ -64,12 +64,17 @@ struct Job<'a> {
     about: About,
 }
 
-/// All pairs of triangles of a mesh that share more than their common vertices (by index) force. `connectivity` is that of
-/// the mesh, and every triangle must have area. O((n + k) log n) for k pairs of boxes that meet.
+/// All pairs of triangles of a mesh that share more than their common vertices (by index) force. Every triangle must have
+/// area. O((n + k) log n) for k pairs of boxes that meet.
 ///
 /// # Errors
-/// [`CertifyError::Cancelled`] by the observer.
-pub fn self_crossings(
+/// [`CertifyError::Mesh`] for indices out of range, [`CertifyError::Cancelled`] by the observer.
+pub fn self_intersections(mesh: &TriMesh, observer: &dyn Observer) -> Result<Vec<Crossing>, CertifyError> {
+    self_crossings(mesh, &Connectivity::new(mesh.vertices.len(), &mesh.faces)?, observer)
+}
+
+/// [`self_intersections`] for a mesh whose connectivity is known.
+pub(crate) fn self_crossings(
     mesh: &TriMesh,
     connectivity: &Connectivity,
     observer: &dyn Observer,

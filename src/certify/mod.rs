@@ -35,7 +35,7 @@ mod tests;
 
 pub use crate::shell::{OrderError, VertexOrder};
 pub use claim::{Claim, Part, Verdict};
-pub use disjoint::{About, Crossing, self_crossings};
+pub use disjoint::{About, Crossing, self_intersections};
 pub use error::CertifyError;
 pub use i2::{Contact, ContactSeparation};
 pub use observer::{Observer, Silent};

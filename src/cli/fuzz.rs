@@ -86,6 +86,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, CliError> {
             fuzz::run(subject.as_mut(), &options, &progress).map_err(CliError::Subject)?
         }
     };
+    if report.cases == 0 {
+        return Err(CliError::Usage("no case was asked, so there is nothing to say".to_owned()));
+    }
     if let Some([corpus, table, whole]) = &files {
         output::replace(corpus, corpus::write(&report).as_bytes())?;
         output::replace(table, report.words().as_bytes())?;

@@ -9,6 +9,7 @@ use super::finding::{Failure, Finding, Key};
 use super::generate::{Batch, Generator, Origin, Pool, Source};
 use super::onset::Onsets;
 use super::report::{OriginCount, Report};
+use super::subject::wire_line;
 use super::{Answer, Class, Predicate, Subject, SubjectError, corpus, judge, shrink};
 use crate::certify::Observer;
 use crate::predicate::Sign;
@@ -79,11 +80,9 @@ pub fn run(
         let pace = subject.pace().batch;
         let batch = source.batch(usize::try_from(left).map_or(pace, |left| left.min(pace)));
         let answers = subject.answer(options.predicate, &batch.coordinates)?;
-        tally.take(&batch, answers);
+        tally.take(&batch, answers, subject)?;
         observer.advance(batch.origins.len() as u64);
-        if tally.all_unsupported() {
-            return Err(SubjectError::Unsupported { subject: subject.name(), predicate: options.predicate });
-        }
+        tally.is_supported(subject)?;
     }
     observer.stage("shrinking", None);
     let late = || match options.limit {
@@ -112,8 +111,9 @@ pub fn replay(
             batch.images.push((1, 0, symmetry.clone()));
         }
         let answers = subject.answer(predicate, &batch.coordinates)?;
-        tally.take(&batch, answers);
+        tally.take(&batch, answers, subject)?;
     }
+    tally.is_supported(subject)?;
     tally.finish(subject, 0, &|| true)
 }
 
@@ -141,15 +141,32 @@ impl Tally {
         }
     }
 
-    fn all_unsupported(&self) -> bool {
-        self.cases > 0 && self.unsupported == self.cases
+    /// An error for a subject that has answered nothing, which is no clean run.
+    fn is_supported(&self, subject: &dyn Subject) -> Result<(), SubjectError> {
+        if self.cases > 0 && self.unsupported == self.cases {
+            return Err(SubjectError::Unsupported { subject: subject.name(), predicate: self.predicate });
+        }
+        Ok(())
     }
 
-    /// Judges a batch.
-    fn take(&mut self, batch: &Batch, answers: Vec<Answer>) {
+    /// Judges a batch. A case without an answer, or without a right one, would count as answered rightly: both are errors.
+    fn take(
+        &mut self,
+        batch: &Batch,
+        answers: Vec<Answer>,
+        subject: &dyn Subject,
+    ) -> Result<(), SubjectError> {
         let arity = self.predicate.arity();
-        let right: Vec<Option<Sign>> =
-            batch.coordinates.par_chunks_exact(arity).map(|case| judge(self.predicate, case)).collect();
+        let judged = |case: &[f64]| {
+            let none = || SubjectError::NoCase { case: wire_line(self.predicate, case) };
+            judge(self.predicate, case).ok_or_else(none)
+        };
+        let right: Vec<Sign> =
+            batch.coordinates.par_chunks_exact(arity).map(judged).collect::<Result<_, _>>()?;
+        if answers.len() != right.len() {
+            let (found, wanted) = (answers.len(), right.len());
+            return Err(SubjectError::Count { subject: subject.name(), found, wanted });
+        }
         let case = |i: usize| batch.coordinates.get(i * arity..(i + 1) * arity).unwrap_or_default().to_vec();
         for (second, first, symmetry) in &batch.images {
             let (Some(one), Some(other)) = (answers.get(*first), answers.get(*second)) else { continue };
@@ -159,7 +176,7 @@ impl Tally {
                     origin: batch.origins[*first],
                     case: case(*first),
                     answer: one.clone(),
-                    expected: right[*first].unwrap_or(Sign::Zero),
+                    expected: right[*first],
                     symmetry: Some(symmetry.clone()),
                 });
             }
@@ -170,8 +187,6 @@ impl Tally {
             self.cases += 1;
             let counts = self.origins.entry(*origin).or_default();
             counts[0] += 1;
-            // The generators make nothing that has no answer.
-            let Some(expected) = expected else { continue };
             self.unsupported += u64::from(answer == Answer::Unsupported);
             if let Some(class) = Class::of(&answer, expected) {
                 counts[1] += 1;
@@ -179,6 +194,7 @@ impl Tally {
                 self.add(Failure { class, origin: *origin, case: case(i), answer, expected, symmetry: None });
             }
         }
+        Ok(())
     }
 
     fn add(&mut self, failure: Failure) {

@@ -4,8 +4,8 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use homeo::certify::{Silent, self_crossings};
-use homeo::mesh::{self, Connectivity, DefectKind, Format};
+use homeo::certify::{Silent, self_intersections};
+use homeo::mesh::{self, DefectKind, Format};
 use homeo_benches::cgal::Cgal;
 use homeo_benches::real;
 use homeo_benches::table::Table;
@@ -61,8 +61,7 @@ fn one(path: &Path, cgal: &Cgal, table: &mut Table, findings: &mut Findings) -> 
         let doubled = of(DefectKind::DuplicateFace);
         agree &= doubled == theirs.get::<u64>("doubled")?;
         row.push(doubled.to_string());
-        let connectivity = Connectivity::new(mesh.vertices.len(), &mesh.faces)?;
-        let ours = i64::try_from(self_crossings(&mesh, &connectivity, &Silent)?.len())?;
+        let ours = i64::try_from(self_intersections(&mesh, &Silent)?.len())?;
         let [pairs, pmp, does] = ["pairs", "pmp", "does"].map(|key| theirs.get::<i64>(key));
         let (pairs, pmp, does) = (pairs?, pmp?, does?);
         // PMP takes no mesh that is not a manifold.

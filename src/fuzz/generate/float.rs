@@ -1,5 +1,6 @@
 //! Cases in floating point: whatever is rounded, the judge decides what came out.
 
+use super::UNIT_PRISM;
 use super::lattice::degenerate;
 use crate::fuzz::Predicate;
 use crate::fuzz::bits::{magnitude, neighbour, scaled};
@@ -10,16 +11,8 @@ pub(super) fn uniform(predicate: Predicate, random: &mut Random) -> Vec<f64> {
     let mut case: Vec<f64> = (0..predicate.arity()).map(|_| random.real()).collect();
     match predicate {
         Predicate::PrismPositivity => {
-            const UNIT: [[f64; 3]; 6] = [
-                [0.0, 0.0, 0.0],
-                [1.0, 0.0, 0.0],
-                [0.0, 1.0, 0.0],
-                [0.0, 0.0, 1.0],
-                [1.0, 0.0, 1.0],
-                [0.0, 1.0, 1.0],
-            ];
             let noise = 0.3 * random.real();
-            for (x, unit) in case.iter_mut().zip(UNIT.as_flattened()) {
+            for (x, unit) in case.iter_mut().zip(UNIT_PRISM.as_flattened()) {
                 *x = unit + noise * *x;
             }
         }

@@ -1,5 +1,6 @@
 //! Exactly degenerate cases: every coordinate is an integer of less than 53 bits, so nothing is rounded.
 
+use super::UNIT_PRISM;
 use crate::fuzz::Predicate;
 use crate::fuzz::random::Random;
 use crate::shell::decomposition::TETS;
@@ -174,17 +175,9 @@ fn prism(p: &mut [Point], random: &mut Random) {
 
 /// The unit prism times a large number, corners moved by less than a quarter of it.
 fn straight(p: &mut [Point], random: &mut Random) {
-    const UNIT: [[f64; 3]; 6] = [
-        [0.0, 0.0, 0.0],
-        [1.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.0, 0.0, 1.0],
-        [1.0, 0.0, 1.0],
-        [0.0, 1.0, 1.0],
-    ];
     let bits = width(random);
     let size = (1_u64 << (bits + 5)) as f64;
-    for (p, unit) in p.iter_mut().zip(UNIT) {
+    for (p, unit) in p.iter_mut().zip(UNIT_PRISM) {
         *p = plus(&point(random, bits), &unit, size);
     }
 }

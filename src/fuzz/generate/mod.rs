@@ -154,6 +154,10 @@ pub(super) struct Batch {
     pub(super) images: Vec<(usize, usize, Symmetry)>,
 }
 
+/// The prism over the unit triangle, `lo` first.
+const UNIT_PRISM: [[f64; 3]; 6] =
+    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
+
 /// Images of a configuration in [`Generator::Permutations`].
 const IMAGES: usize = 3;
 

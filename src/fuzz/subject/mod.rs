@@ -57,6 +57,22 @@ pub enum SubjectError {
         /// The predicate.
         predicate: Predicate,
     },
+    /// Not as many answers as cases.
+    #[error("{subject} gives {found} answers to {wanted} cases")]
+    Count {
+        /// The subject.
+        subject: String,
+        /// How many answers there are.
+        found: usize,
+        /// How many cases were asked.
+        wanted: usize,
+    },
+    /// What the predicate does not take.
+    #[error("no answer is right for `{case}`: the predicate does not take it")]
+    NoCase {
+        /// The case, as in the protocol.
+        case: String,
+    },
     /// It was restarted too often.
     #[error("`{command}` crashed or hung {times} times")]
     GaveUp {

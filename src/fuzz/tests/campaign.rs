@@ -209,3 +209,36 @@ fn an_interruption_keeps_the_findings() {
     assert!(report.cases > 10_000 && report.cases < 30_000 && !report.is_clean());
     assert!(report.findings.iter().all(|f| !f.minimal));
 }
+
+/// A subject that drops its last answer.
+struct Short;
+
+impl Subject for Short {
+    fn name(&self) -> String {
+        "short".to_owned()
+    }
+
+    fn answer(&mut self, predicate: Predicate, cases: &[f64]) -> Result<Vec<Answer>, SubjectError> {
+        let mut answers = BuiltIn::Fast.answer(predicate, cases)?;
+        answers.pop();
+        Ok(answers)
+    }
+}
+
+#[test]
+fn what_is_not_answered_or_has_no_answer_is_not_clean() {
+    let short = run(&mut Short, &options(Predicate::Orient3d, 100), &Silent).unwrap_err();
+    assert_eq!(short.to_string(), "short gives 99 answers to 100 cases");
+    let origin =
+        corpus::read("homeo-fuzz 1\norient2d 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x1p+0\n").unwrap()[0].origin;
+    // A ray without a direction: a file with it is refused, but entries can be made by hand.
+    let entry =
+        corpus::Entry { predicate: Predicate::RayTriangle, case: vec![0.0; 15], origin, symmetry: None };
+    let none = replay(&mut BuiltIn::Fast, Predicate::RayTriangle, std::slice::from_ref(&entry)).unwrap_err();
+    assert!(none.to_string().starts_with("no answer is right for `ray_triangle 0x0p+0 "), "{none}");
+    let mut mute = from_fn("mute", |_, _| Answer::Unsupported);
+    let plain =
+        corpus::Entry { predicate: Predicate::Orient2d, case: vec![0.0, 0.0, 1.0, 0.0, 0.0, 1.0], ..entry };
+    let unsupported = replay(&mut mute, Predicate::Orient2d, &[plain]).unwrap_err();
+    assert_eq!(unsupported.to_string(), "mute does not support orient2d");
+}
