@@ -95,8 +95,12 @@ fn entry(line: &str) -> Result<Entry, String> {
         match key {
             "origin" => out.origin = value.parse().map_err(|e| format!("{e}"))?,
             "order" => {
-                let order = Symmetry::parse(value, predicate);
-                out.symmetry = Some(order.ok_or_else(|| format!("`{value}` is no order of the points"))?);
+                let order = Symmetry::parse(value, predicate)
+                    .ok_or_else(|| format!("`{value}` is no order of the points"))?;
+                if !order.is_of(predicate) {
+                    return Err(format!("`{order}` is no symmetry of {predicate}"));
+                }
+                out.symmetry = Some(order);
             }
             "class" | "expected" | "answer" | "count" => {}
             other => return Err(format!("there is no key `{other}`")),

@@ -1,6 +1,7 @@
 //! Orders of a case's points that change the answer in a known way.
 
 use std::fmt;
+use std::ops::Range;
 
 use super::Predicate;
 use super::random::Random;
@@ -21,6 +22,56 @@ impl Symmetry {
         let point = |&i: &u8| case.get(usize::from(i) * dimension..(usize::from(i) + 1) * dimension);
         self.order.iter().filter_map(point).flatten().copied().collect()
     }
+}
+
+impl Symmetry {
+    /// Does every right answer to a case and to its image agree with this? What is none would make right answers contradict
+    /// each other.
+    pub(super) fn is_of(&self, predicate: Predicate) -> bool {
+        let order = self.order.as_slice();
+        let keeps = |part: Range<u8>| {
+            let places = usize::from(part.start)..usize::from(part.end);
+            order.get(places).is_some_and(|images| images.iter().all(|i| part.contains(i)))
+        };
+        match predicate {
+            Predicate::Orient2d | Predicate::Orient3d | Predicate::Incircle | Predicate::Insphere => {
+                self.negates == is_odd(order)
+            }
+            Predicate::DotSign => keeps(0..3) && self.negates == is_odd(order),
+            _ if self.negates => false,
+            Predicate::PointInTet => keeps(0..4),
+            Predicate::TriangleTriangle => keeps(0..3) || order.iter().take(3).all(|i| *i >= 3),
+            Predicate::SegmentTriangle => keeps(0..2),
+            Predicate::RayTriangle => keeps(0..1) && keeps(1..2),
+            // An odd order of the corners turns all tets inside out, and so does an exchange of the two ends.
+            Predicate::PrismPositivity => {
+                let (lo, hi) = order.split_at(order.len().min(3));
+                let turned = lo.first() >= Some(&3);
+                pillars(lo, hi) && lo.iter().all(|i| (*i >= 3) == turned) && is_odd(lo) == turned
+            }
+            // An odd order of the triangle turns its normal, and an exchange of the two ends all pillars.
+            Predicate::SectionDot => {
+                let (triangle, rest) = order.split_at(order.len().min(3));
+                let (lo, hi) = rest.split_at(rest.len().min(3));
+                let swapped = lo.first() >= Some(&6);
+                pillars(lo, hi)
+                    && keeps(0..3)
+                    && lo.iter().all(|i| (*i >= 6) == swapped)
+                    && is_odd(triangle) == swapped
+            }
+        }
+    }
+}
+
+/// Does the permutation take an odd number of exchanges?
+fn is_odd(order: &[u8]) -> bool {
+    let greater = |(i, x): (usize, &u8)| order.iter().skip(i).filter(|y| *y < x).count();
+    order.iter().enumerate().map(greater).sum::<usize>() % 2 == 1
+}
+
+/// Are the points of the one list and of the other those of the same pillars?
+fn pillars(lo: &[u8], hi: &[u8]) -> bool {
+    lo.iter().zip(hi).all(|(lo, hi)| lo.abs_diff(*hi) == 3)
 }
 
 /// Shuffles a part of `order`; is the permutation odd?

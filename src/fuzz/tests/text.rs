@@ -3,10 +3,10 @@
 
 use crate::fuzz::bits::{exponent, power, scaled};
 use crate::fuzz::corpus::{self, CorpusError};
-use crate::fuzz::generate::Origin;
+use crate::fuzz::generate::{Origin, Source};
 use crate::fuzz::random::Random;
 use crate::fuzz::symmetry::{self, Symmetry};
-use crate::fuzz::{Class, Generator, Predicate, hex};
+use crate::fuzz::{Class, Generator, Options, Pool, Predicate, hex, judge};
 
 fn text(x: f64) -> String {
     let mut out = String::new();
@@ -117,4 +117,40 @@ fn what_is_no_corpus_is_refused_with_its_line() {
     ] {
         assert!(matches!(corpus::read(bad), Err(CorpusError { line: at, .. }) if at == line), "{bad}");
     }
+}
+
+/// By the definition: an order is a symmetry exactly when the judge's answers to many cases and their images agree with it.
+#[test]
+fn symmetries_are_told_from_other_orders() {
+    let mut random = Random(5);
+    for predicate in Predicate::ALL {
+        let pool = Pool::default();
+        let options = Options::new(predicate);
+        let cases = Source::new(predicate, &options.generators, 1, &pool).batch(400).coordinates;
+        let agrees = |symmetry: &Symmetry| {
+            cases.chunks_exact(predicate.arity()).all(|case| {
+                let image = symmetry.image(case, predicate.dimension());
+                match (judge(predicate, case), judge(predicate, &image)) {
+                    (Some(one), Some(other)) => !symmetry.contradicts(&one.into(), &other.into()),
+                    // The image is not even a case.
+                    _ => false,
+                }
+            })
+        };
+        let mut counts = [0; 2];
+        for round in 0..150 {
+            let mut symmetry = symmetry::random(predicate, &mut random);
+            for _ in 0..round % 3 {
+                let (i, j) = (random.below(predicate.points()), random.below(predicate.points()));
+                symmetry.order.swap(i, j);
+            }
+            symmetry.negates ^= round % 5 == 0;
+            assert_eq!(symmetry.is_of(predicate), agrees(&symmetry), "{predicate}: {symmetry}");
+            counts[usize::from(symmetry.is_of(predicate))] += 1;
+        }
+        assert!(counts[0] > 20 && counts[1] > 20, "{predicate}: {counts:?}");
+    }
+    let unequal = "homeo-fuzz 1\norient2d 0 0 1 0 0 1 ; order 1 0 2\n";
+    let refused = corpus::read(unequal).unwrap_err().to_string();
+    assert_eq!(refused, "line 2: `1 0 2` is no symmetry of orient2d");
 }
