@@ -48,7 +48,7 @@ pub(super) struct Args {
     /// A mesh that gives points to the generator `real`; may be repeated
     #[arg(long = "mesh", value_name = "FILE")]
     meshes: Vec<PathBuf>,
-    /// Seconds without an answer after which a command counts as hung
+    /// Seconds without an answer after which a command counts as hung; with --binary a millisecond more a case of the batch
     #[arg(long, value_name = "SECONDS", default_value_t = 2.0)]
     timeout: f64,
     /// Ask the cases of a corpus file again, and no others

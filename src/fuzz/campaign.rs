@@ -1,5 +1,6 @@
 //! The loop: make cases, ask, judge, keep what is wrong; then shrink.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
@@ -67,6 +68,7 @@ pub fn run(
         Limit::Cases(count) => Some(count),
         Limit::Time(_) => None,
     };
+    let mut size = BatchSize(total.is_none().then_some(1));
     observer.stage("cases", total);
     while !observer.cancelled() {
         let left = match options.limit {
@@ -77,13 +79,17 @@ pub fn run(
         if left == 0 {
             break;
         }
-        let pace = subject.pace().batch;
+        let pace = size.of(subject.pace().batch);
         let batch = source.batch(usize::try_from(left).map_or(pace, |left| left.min(pace)));
-        let answers = subject.answer(options.predicate, &batch.coordinates)?;
-        tally.take(&batch, answers, subject)?;
+        let asked = Instant::now();
+        if !tally.ask(&batch, subject)? {
+            break;
+        }
+        size.note(asked.elapsed());
         observer.advance(batch.origins.len() as u64);
         tally.is_supported(subject)?;
     }
+    subject.end()?;
     observer.stage("shrinking", None);
     let late = || match options.limit {
         Limit::Cases(_) => false,
@@ -110,11 +116,40 @@ pub fn replay(
             batch.origins.push(entry.origin);
             batch.images.push((1, 0, symmetry.clone()));
         }
-        let answers = subject.answer(predicate, &batch.coordinates)?;
-        tally.take(&batch, answers, subject)?;
+        if !tally.ask(&batch, subject)? {
+            break;
+        }
     }
+    subject.end()?;
     tally.is_supported(subject)?;
     tally.finish(subject, 0, &|| true)
+}
+
+/// How many cases are asked at once: in a timed run so many that a batch takes a moment, for nothing stops it on the way.
+struct BatchSize(Option<usize>);
+
+impl BatchSize {
+    fn of(&self, best: usize) -> usize {
+        self.0.map_or(best, |size| size.min(best))
+    }
+
+    fn note(&mut self, took: Duration) {
+        if let Some(size) = &mut self.0 {
+            match took.as_millis() {
+                ..100 => *size = size.saturating_mul(2),
+                500.. => *size = (*size / 2).max(1),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// `None` where the subject has been given up: what has been found before still counts.
+fn unless_given_up<T>(result: Result<T, SubjectError>) -> Result<Option<T>, SubjectError> {
+    match result {
+        Err(SubjectError::GaveUp { .. }) => Ok(None),
+        other => other.map(Some),
+    }
 }
 
 /// What has been found so far.
@@ -122,6 +157,7 @@ struct Tally {
     predicate: Predicate,
     cases: u64,
     unsupported: u64,
+    gave_up: bool,
     mismatches: u64,
     origins: BTreeMap<Origin, [u64; 2]>,
     groups: BTreeMap<Key, (u64, Failure)>,
@@ -134,6 +170,7 @@ impl Tally {
             predicate,
             cases: 0,
             unsupported: 0,
+            gave_up: false,
             mismatches: 0,
             origins: BTreeMap::new(),
             groups: BTreeMap::new(),
@@ -147,6 +184,18 @@ impl Tally {
             return Err(SubjectError::Unsupported { subject: subject.name(), predicate: self.predicate });
         }
         Ok(())
+    }
+
+    /// Asks about a batch and judges the answers. Was it answered? A subject may be given up once it has been found wrong;
+    /// before that there would be nothing to say.
+    fn ask(&mut self, batch: &Batch, subject: &mut dyn Subject) -> Result<bool, SubjectError> {
+        match subject.answer(self.predicate, &batch.coordinates) {
+            Err(SubjectError::GaveUp { .. }) if self.mismatches > 0 => {
+                self.gave_up = true;
+                Ok(false)
+            }
+            answers => self.take(batch, answers?, subject).map(|()| true),
+        }
     }
 
     /// Judges a batch. A case without an answer, or without a right one, would count as answered rightly: both are errors.
@@ -220,21 +269,19 @@ impl Tally {
         seed: u64,
         stop: &dyn Fn() -> bool,
     ) -> Result<Report, SubjectError> {
-        self.onsets.refine(subject, self.predicate, stop)?;
+        let gave_up = Cell::new(self.gave_up);
+        let stop = || gave_up.get() || stop();
+        let refined = self.onsets.refine(subject, self.predicate, &stop);
+        gave_up.set(unless_given_up(refined)?.is_none() || gave_up.get());
         let mut findings: BTreeMap<Key, Finding> = BTreeMap::new();
         for (turn, key) in self.order().into_iter().enumerate() {
             let Some((count, failure)) = self.groups.get(&key) else { continue };
-            let mut failure = failure.clone();
-            let mut minimal = false;
+            let mut finding = None;
             if turn < SHRUNK && !stop() {
-                let tries = match failure.class {
-                    Class::Hang | Class::Crash => subject.pace().crashes,
-                    _ => subject.pace().tries,
-                };
-                let shrunk = shrink::shrink(subject, self.predicate, &failure, tries, stop)?;
-                minimal = shrunk.minimal;
-                self.settle(subject, &mut failure, shrunk.case)?;
+                finding = unless_given_up(self.smaller(subject, failure, &stop))?;
+                gave_up.set(finding.is_none());
             }
+            let (failure, minimal) = finding.unwrap_or_else(|| (failure.clone(), false));
             findings.insert(key, Finding::new(self.predicate, &failure, *count, minimal));
         }
         let origins = self.origins.iter().map(|(origin, [cases, mismatches])| OriginCount {
@@ -248,6 +295,7 @@ impl Tally {
             seed,
             cases: self.cases,
             unsupported: self.unsupported,
+            gave_up: gave_up.get(),
             mismatches: self.mismatches,
             origins: origins.collect(),
             onsets: self.onsets.rows(),
@@ -255,22 +303,29 @@ impl Tally {
         })
     }
 
-    /// Puts the smaller case into the failure, with its own answers.
-    fn settle(
+    /// The failure with a smaller case and its own answers, and whether it is minimal. A smaller case that does not fail a
+    /// second time is not taken.
+    fn smaller(
         &self,
         subject: &mut dyn Subject,
-        failure: &mut Failure,
-        case: Vec<f64>,
-    ) -> Result<(), SubjectError> {
-        if case == failure.case {
-            return Ok(());
+        failure: &Failure,
+        stop: &dyn Fn() -> bool,
+    ) -> Result<(Failure, bool), SubjectError> {
+        let tries = match failure.class {
+            Class::Hang | Class::Crash => subject.pace().crashes,
+            _ => subject.pace().tries,
+        };
+        let shrunk = shrink::shrink(subject, self.predicate, failure, tries, stop)?;
+        if shrunk.case == failure.case {
+            return Ok((failure.clone(), shrunk.minimal));
         }
-        if let Some(answer) = subject.answer(self.predicate, &case)?.into_iter().next() {
-            failure.answer = answer;
+        let answer = subject.answer(self.predicate, &shrunk.case)?.into_iter().next();
+        let expected = judge(self.predicate, &shrunk.case);
+        let (Some(answer), Some(expected)) = (answer, expected) else { return Ok((failure.clone(), false)) };
+        if failure.symmetry.is_none() && Class::of(&answer, expected) != Some(failure.class) {
+            return Ok((failure.clone(), false));
         }
-        failure.expected = judge(self.predicate, &case).unwrap_or(failure.expected);
-        failure.case = case;
-        Ok(())
+        Ok((Failure { case: shrunk.case, answer, expected, ..failure.clone() }, shrunk.minimal))
     }
 
     /// The keys, so that each class and origin comes to its turn before a second band of any.

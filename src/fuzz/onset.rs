@@ -91,7 +91,7 @@ impl Onsets {
                 continue;
             }
             for (edge, direction) in [(&mut row.below, 1), (&mut row.above, -1)] {
-                while !stop() && nearer(edge, direction, subject, predicate)? {}
+                while !stop() && nearer(edge, direction, subject, predicate, stop)? {}
             }
         }
         Ok(())
@@ -118,6 +118,7 @@ fn nearer(
     direction: i32,
     subject: &mut dyn Subject,
     predicate: Predicate,
+    stop: &dyn Fn() -> bool,
 ) -> Result<bool, SubjectError> {
     let nearest = edge.0.first().map_or(0, |(distance, _)| *distance);
     let mut better = Vec::new();
@@ -128,10 +129,15 @@ fn nearer(
             .map(|k| (distance - k, failure.case.iter().map(|x| scaled(*x, direction * k)).collect()))
             .filter(|(_, case): &(i32, Vec<f64>)| predicate.accepts(case))
             .collect();
-        let asked: Vec<&[f64]> = cases.iter().map(|(_, case)| case.as_slice()).collect();
-        let failing = shrink::fails(subject, predicate, failure, &asked)?;
-        for ((distance, case), _) in cases.into_iter().zip(failing).filter(|(_, fails)| *fails) {
-            better.push((distance, Failure { case, ..failure.clone() }));
+        for some in cases.chunks(shrink::AT_ONCE) {
+            if stop() {
+                break;
+            }
+            let asked: Vec<&[f64]> = some.iter().map(|(_, case)| case.as_slice()).collect();
+            let failing = shrink::fails(subject, predicate, failure, &asked)?;
+            for ((distance, case), _) in some.iter().zip(failing).filter(|(_, fails)| *fails) {
+                better.push((*distance, Failure { case: case.clone(), ..failure.clone() }));
+            }
         }
     }
     for (distance, failure) in &better {

@@ -32,6 +32,8 @@ pub struct Report {
     pub cases: u64,
     /// Cases that the subject does not judge.
     pub unsupported: u64,
+    /// Did the subject crash or hang so often that the rest was not asked?
+    pub gave_up: bool,
     /// Wrong answers. Contradictions between orders of the points are not counted here: one of the two is wrong.
     pub mismatches: u64,
     /// Cases by origin.
@@ -61,6 +63,9 @@ impl Report {
         );
         if self.unsupported > 0 {
             let _ = write!(out, ", {} not supported", self.unsupported);
+        }
+        if self.gave_up {
+            out.push_str(", given up after too many crashes");
         }
         out.push('\n');
         self.write_origins(&mut out);

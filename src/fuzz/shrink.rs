@@ -14,8 +14,8 @@ pub(super) struct Shrunk {
     pub(super) minimal: bool,
 }
 
-/// Candidates that are asked about at once.
-const AT_ONCE: usize = 16;
+/// Candidates that are asked about at once; one of those that may end the subject or take its time.
+pub(super) const AT_ONCE: usize = 16;
 
 /// Takes steps that make the case simpler ([`cost`]) while it fails in the same class, within the same band of
 /// magnitudes (else all cases of a class would shrink to one).
@@ -28,6 +28,11 @@ pub(super) fn shrink(
 ) -> Result<Shrunk, SubjectError> {
     let mut best = failure.case.clone();
     let mut tries = tries;
+    let at_once = if matches!(failure.class, Class::Hang | Class::Crash) { 1 } else { AT_ONCE };
+    // What does not come back cannot be searched for.
+    if stop() || fails(subject, predicate, failure, &[&best])? != [true] {
+        return Ok(Shrunk { case: best, minimal: false });
+    }
     loop {
         let before = cost(&best);
         let steps = steps(&best, predicate);
@@ -36,7 +41,7 @@ pub(super) fn shrink(
             if tries == 0 || stop() {
                 return Ok(Shrunk { case: best, minimal: false });
             }
-            let last = steps.len().min(next + AT_ONCE);
+            let last = steps.len().min(next + at_once);
             let worth = |step: &Step| {
                 let case = step.apply(&best, predicate.dimension());
                 let smaller = cost(&case) < cost(&best) && band(&case) == band(&failure.case);

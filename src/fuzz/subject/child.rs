@@ -5,7 +5,7 @@ use std::io::{Read, Write as _};
 use std::process::{self, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::fuzz::Answer;
 
@@ -49,7 +49,8 @@ impl fmt::Display for Broken {
 #[derive(Debug)]
 pub(super) struct Child {
     process: process::Child,
-    input: Sender<Vec<u8>>,
+    /// Nothing once its input has ended.
+    input: Option<Sender<Vec<u8>>>,
     output: Receiver<Vec<u8>>,
     /// Bytes that have arrived; those before `used` are done with.
     arrived: Vec<u8>,
@@ -92,12 +93,14 @@ impl Child {
                 });
             });
         }
-        Ok(Self { process, input, output, arrived: Vec::new(), used: 0, complaints })
+        Ok(Self { process, input: Some(input), output, arrived: Vec::new(), used: 0, complaints })
     }
 
     /// Hands bytes to the writer. A program that has ended is noticed when it does not answer.
     pub(super) fn send(&mut self, bytes: Vec<u8>) {
-        let _ = self.input.send(bytes);
+        if let Some(input) = &self.input {
+            let _ = input.send(bytes);
+        }
     }
 
     /// Has it written what nobody asked for?
@@ -106,6 +109,13 @@ impl Child {
             self.arrived.extend(bytes);
         }
         self.used < self.arrived.len()
+    }
+
+    /// Ends its input and waits for the end of its output: did it write what nobody asked for? A program that does not end in
+    /// time is killed, which is no fault.
+    pub(super) fn ends_with_more(mut self, timeout: Duration) -> bool {
+        self.input = None;
+        self.has_more() || self.receive(timeout).is_ok()
     }
 
     pub(super) fn byte(&mut self, timeout: Duration) -> Result<u8, Broken> {
@@ -118,8 +128,9 @@ impl Child {
         }
     }
 
-    /// A line without its line feed.
+    /// A line without its line feed, the whole of which has to arrive in time.
     pub(super) fn line(&mut self, timeout: Duration) -> Result<Vec<u8>, Broken> {
+        let start = Instant::now();
         loop {
             let rest = self.arrived.get(self.used..).unwrap_or_default();
             if let Some(length) = rest.iter().position(|b| *b == b'\n') {
@@ -130,7 +141,7 @@ impl Child {
             if rest.len() > LONGEST {
                 return Err(Broken::Endless);
             }
-            self.receive(timeout)?;
+            self.receive(timeout.saturating_sub(start.elapsed()))?;
         }
     }
 
@@ -169,6 +180,12 @@ fn pass_on(mut from: impl Read, mut take: impl FnMut(&[u8]) -> bool) {
 
 impl Drop for Child {
     fn drop(&mut self) {
+        // What the program has started goes with it: the processes behind a script, which would hold the pipes.
+        #[cfg(unix)]
+        let _ = rustix::process::kill_process_group(
+            rustix::process::Pid::from_child(&self.process),
+            rustix::process::Signal::KILL,
+        );
         let _ = self.process.kill();
         let _ = self.process.wait();
     }

@@ -94,6 +94,14 @@ pub trait Subject {
     /// [`SubjectError`] if there are no answers to be had at all; a crash or a hang is an [`Answer`].
     fn answer(&mut self, predicate: Predicate, cases: &[f64]) -> Result<Vec<Answer>, SubjectError>;
 
+    /// Called after the last case, and before what has been found is shrunk; the subject may be asked again.
+    ///
+    /// # Errors
+    /// [`SubjectError`] if what it has answered cannot be trusted to belong to the cases.
+    fn end(&mut self) -> Result<(), SubjectError> {
+        Ok(())
+    }
+
     /// How many cases are best asked at once, and how many single questions a search for a smaller case may take.
     fn pace(&self) -> Pace {
         Pace { batch: 4096, tries: 20_000, crashes: 20_000 }
@@ -175,6 +183,10 @@ impl<S: Subject> Subject for Flipped<S> {
         Ok(self.0.answer(predicate, cases)?.into_iter().map(Answer::flipped).collect())
     }
 
+    fn end(&mut self) -> Result<(), SubjectError> {
+        self.0.end()
+    }
+
     fn pace(&self) -> Pace {
         self.0.pace()
     }
@@ -187,6 +199,10 @@ impl<S: Subject + ?Sized> Subject for Box<S> {
 
     fn answer(&mut self, predicate: Predicate, cases: &[f64]) -> Result<Vec<Answer>, SubjectError> {
         (**self).answer(predicate, cases)
+    }
+
+    fn end(&mut self) -> Result<(), SubjectError> {
+        (**self).end()
     }
 
     fn pace(&self) -> Pace {

@@ -8,6 +8,9 @@ use super::wire;
 use super::{Pace, Subject, SubjectError};
 use crate::fuzz::{Answer, Predicate};
 
+/// How long the end of a program is waited for at most.
+const FAREWELL: Duration = Duration::from_secs(2);
+
 /// How cases are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
@@ -23,7 +26,8 @@ pub enum Mode {
 pub struct ProcessOptions {
     /// How cases are written.
     pub mode: Mode,
-    /// How long it may take for a batch without writing an answer.
+    /// How long it may take from one answer to the next; in binary mode a millisecond more for each case of the batch, as
+    /// these answers come all at once.
     pub timeout: Duration,
     /// How long it may take for its first answer.
     pub startup: Duration,
@@ -125,10 +129,11 @@ fn ask(
         Mode::Text => child.send(wire::text(predicate, cases)),
         Mode::Binary => child.send(wire::binary(predicate, cases)),
     }
+    let batch = timeout.saturating_add(Duration::from_millis(count as u64));
     while answers.len() < count {
         let next = match mode {
             Mode::Text => child.line(timeout).map(|line| wire::answer_of_line(&line)),
-            Mode::Binary => child.byte(timeout).map(wire::answer_of_byte),
+            Mode::Binary => child.byte(batch).map(wire::answer_of_byte),
         };
         match next {
             Ok(answer) => answers.push(answer),
@@ -143,12 +148,16 @@ impl Subject for Process {
         self.command.clone()
     }
 
-    /// A batch that breaks the program is asked again in parts, down to the case that does it.
+    /// In text mode each answer is flushed: the first case without one has broken the program. In binary mode the batch is
+    /// asked again in parts, down to the case that does it; if none does it again, the first suspect is named, because a
+    /// program that fails now and then is not right.
     fn answer(&mut self, predicate: Predicate, cases: &[f64]) -> Result<Vec<Answer>, SubjectError> {
         let arity = predicate.arity();
         let mut answers: Vec<Answer> = Vec::with_capacity(cases.len() / arity);
         // Ends of the parts that are still to be asked, the next one last.
         let mut ends = vec![cases.len() / arity];
+        // A failure whose case is still looked for: the suspects.
+        let mut unexplained: Option<(usize, usize, Broken)> = None;
         while let Some(&end) = ends.last() {
             let first = answers.len();
             if first >= end {
@@ -159,16 +168,33 @@ impl Subject for Process {
             let (got, broken) = self.attempt(predicate, part)?;
             let suspects = end - first - got.len();
             answers.extend(got);
-            let Some(broken) = broken else { continue };
-            if suspects == 1 {
-                answers.push(broken.answer());
-            } else {
-                // In text mode each answer is flushed: the first case without one is it.
-                let next = if self.options.mode == Mode::Text { 1 } else { suspects / 2 };
-                ends.push(answers.len() + next);
+            match broken {
+                Some(broken) if suspects == 1 || self.options.mode == Mode::Text => {
+                    answers.push(broken.answer());
+                    unexplained = None;
+                }
+                Some(broken) => {
+                    unexplained.get_or_insert((answers.len(), end, broken));
+                    ends.push(answers.len() + suspects / 2);
+                }
+                None => {}
+            }
+            if let Some((suspect, last, broken)) = unexplained
+                && answers.len() >= last
+            {
+                if let Some(answer) = answers.get_mut(suspect) {
+                    *answer = broken.answer();
+                }
+                unexplained = None;
             }
         }
         Ok(answers)
+    }
+
+    fn end(&mut self) -> Result<(), SubjectError> {
+        let has_more =
+            self.child.take().is_some_and(|child| child.ends_with_more(self.options.timeout.min(FAREWELL)));
+        if has_more { Err(SubjectError::TooMuch { command: self.command.clone() }) } else { Ok(()) }
     }
 
     fn pace(&self) -> Pace {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::certify::Silent;
 use crate::fuzz::{
-    Class, Generator, Limit, Mode, Options, Predicate, Process, ProcessOptions, Report, Subject,
+    Answer, Class, Generator, Limit, Mode, Options, Predicate, Process, ProcessOptions, Report, Subject,
     SubjectError, run,
 };
 
@@ -130,4 +130,57 @@ fn programs_that_do_not_speak_the_protocol_are_errors() {
     let mut weak = Process::new(&format!("python3 '{script}' text crash"), weak).unwrap();
     let gave_up = run(&mut weak, &uniform(500), &Silent);
     assert!(matches!(gave_up, Err(SubjectError::GaveUp { times: 4, .. })), "{gave_up:?}");
+}
+
+/// No single case breaks it: asked again, each is answered.
+#[test]
+fn a_program_that_fails_now_and_then_is_not_clean() {
+    if !has_python() {
+        return;
+    }
+    for mode in [Mode::Text, Mode::Binary] {
+        let report = judged(mode, "tired", 40);
+        assert_eq!(report.cases, 40);
+        assert!(report.mismatches > 0 && report.mismatches < 20, "{}", report.words());
+        let crashes = report.findings.iter().all(|f| f.class == Class::Crash && f.answer == "crash");
+        assert!(crashes && report.findings.iter().all(|f| !f.minimal), "{}", report.words());
+    }
+}
+
+#[test]
+fn answers_after_the_last_case_are_noticed() {
+    if !has_python() {
+        return;
+    }
+    for mode in [Mode::Text, Mode::Binary] {
+        let late = run(&mut subject(mode, "afterthought"), &uniform(10), &Silent);
+        assert!(matches!(late, Err(SubjectError::TooMuch { .. })), "{late:?}");
+    }
+}
+
+/// A line has to arrive whole in time, not a byte.
+#[test]
+fn a_line_that_drips_is_a_hang() {
+    if !has_python() {
+        return;
+    }
+    let case = [0.9, 0.0, 1.0, 0.0, 0.0, 1.0];
+    let answers = subject(Mode::Text, "drip").answer(Predicate::Orient2d, &case).unwrap();
+    assert_eq!(answers, [Answer::Hang]);
+}
+
+/// A fifth of all cases crash: the run ends when the program is given up, and keeps what it has found.
+#[test]
+fn what_was_found_before_giving_up_is_told() {
+    if !has_python() {
+        return;
+    }
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/src/fuzz/tests/subject.py");
+    let options = ProcessOptions { restarts: 60, ..ProcessOptions::default() };
+    let mut weak = Process::new(&format!("python3 '{script}' text crash"), options).unwrap();
+    let timed = Options { limit: Limit::Time(Duration::from_secs(600)), ..uniform(0) };
+    let report = run(&mut weak, &timed, &Silent).unwrap();
+    assert!(report.gave_up && report.cases > 60 && report.cases < 2000, "{}", report.words());
+    assert!(report.findings.iter().all(|f| f.class == Class::Crash), "{}", report.words());
+    assert!(report.words().contains(", given up after too many crashes\n"));
 }

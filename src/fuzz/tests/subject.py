@@ -6,15 +6,24 @@ import time
 from fractions import Fraction
 
 mode, fault = sys.argv[1:]
+answered = 0
 
 
 def answer(x):
     """For orient2d; case faults are triggered by coordinates, so that they are found again."""
+    global answered
+    answered += 1
+    if fault == "tired" and answered > 10:
+        sys.exit(3)
     if x[0] > 0.75:
         if fault == "crash":
             sys.exit(3)
         if fault == "hang":
             time.sleep(60)
+        if fault == "drip":
+            while True:
+                print("1", end="", flush=True)
+                time.sleep(0.2)
         if fault == "bad":
             return 77
         if fault == "nan":
@@ -44,3 +53,5 @@ else:
         cases = struct.iter_unpack("<6d", sys.stdin.buffer.read(int(count) * 48))
         sys.stdout.buffer.write(bytes(answer(x) & 255 for x in cases))
         sys.stdout.buffer.flush()
+if fault == "afterthought":
+    sys.stdout.write("1\n")
