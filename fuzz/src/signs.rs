@@ -1,7 +1,8 @@
 //! Fast predicates against the exact ones.
 
 use homeo::predicate::{
-    Axis, Sign, dot_sign, dot_sign_exact, orient2d, orient2d_exact, orient3d, orient3d_exact,
+    Axis, Sign, dot_sign, dot_sign_exact, incircle, incircle_exact, insphere, insphere_exact, orient2d,
+    orient2d_exact, orient3d, orient3d_exact,
 };
 
 use crate::source::Source;
@@ -41,6 +42,11 @@ pub fn signs(data: &[u8]) {
     assert_eq!(volume, orient3d_exact(&a, &b, &c, &d), "orient3d {flat:?}");
     assert_eq!(orient3d(&b, &a, &c, &d), volume * Sign::Negative, "orient3d, turned: {flat:?}");
     assert_eq!(dot_sign(&a, &b, &c, &d, &e), dot_sign_exact(&a, &b, &c, &d, &e), "dot_sign {flat:?}");
+    let sphere = insphere(&a, &b, &c, &d, &e);
+    assert_eq!(sphere, insphere_exact(&a, &b, &c, &d, &e), "insphere {flat:?}");
+    assert_eq!(insphere(&b, &a, &c, &d, &e), sphere * Sign::Negative, "insphere, turned: {flat:?}");
+    let [p, q, r, s] = [a, b, c, d].map(|[x, y, _]| [x, y]);
+    assert_eq!(incircle(&p, &q, &r, &s), incircle_exact(&p, &q, &r, &s), "incircle {flat:?}");
     for axis in Axis::ALL {
         assert_eq!(
             orient2d(&a, &b, &c, axis),
