@@ -1,18 +1,14 @@
 //! Oriented triangle complexes: the input conditions, sides, boundary, components.
 
-use crate::{Map, Res, Set};
+use crate::Res;
 
 /// An oriented manifold triangle complex (the mesh `T` or the middle complex `M`).
 pub(crate) struct Complex {
     pub(crate) triangles: Vec<[usize; 3]>,
-    /// Directed edge to its one triangle.
-    edges: Map<(usize, usize), usize>,
-    /// Ascending corners to the triangle.
-    sets: Map<[usize; 3], usize>,
-    /// Vertices of triangles.
-    used: Set<usize>,
-    /// Vertices of boundary edges.
-    rim: Set<usize>,
+    /// The triangles at each vertex, ascending (files are too small for 2^32).
+    around: Vec<Vec<u32>>,
+    /// Whether each vertex is one of a boundary edge.
+    rim: Vec<bool>,
     /// The component of each triangle, numbered by smallest triangle.
     pub(crate) part: Vec<usize>,
     pub(crate) parts: usize,
@@ -50,70 +46,85 @@ pub(crate) fn classes(n: usize, pairs: impl Iterator<Item = (usize, usize)>) -> 
 
 impl Complex {
     /// Checks the conditions of FORMAT section 3 that need no coordinates; `code` is that of a failure.
-    pub(crate) fn new(triangles: Vec<[usize; 3]>, code: &'static str) -> Res<Self> {
-        let (mut edges, mut sets) = (Map::default(), Map::default());
-        for (i, &t) in triangles.iter().enumerate() {
-            let mut set = t;
-            set.sort_unstable();
-            ensure!(set.is_sorted_by(|a, b| a < b), code, "triangle {i} repeats a vertex");
-            ensure!(sets.insert(set, i).is_none(), code, "triangle {i} has the vertices of an earlier one");
-            for side in sides(t) {
-                ensure!(edges.insert(side, i).is_none(), code, "triangle {i}: edge {side:?} is used twice");
-            }
+    pub(crate) fn new(triangles: Vec<[usize; 3]>, vertices: usize, code: &'static str) -> Res<Self> {
+        let repeats = triangles.iter().position(|[a, b, c]| a == b || b == c || c == a);
+        ensure!(repeats.is_none(), code, "triangle {repeats:?} repeats a vertex");
+        let mut around: Vec<Vec<u32>> = vec![Vec::new(); vertices];
+        triangles.iter().enumerate().for_each(|(i, t)| t.iter().for_each(|&v| around[v].push(i as u32)));
+        let mut complex = Self { triangles, around, rim: vec![false; vertices], part: vec![], parts: 0 };
+        for (i, side) in complex.directed() {
+            let twice = complex.holding(&[side.0, side.1]).any(|j| j != i && complex.has(j, side));
+            ensure!(!twice, code, "triangle {i}: edge {side:?} is used twice");
+            let twin = complex.holding(&complex.triangles[i]).any(|j| j != i);
+            ensure!(!twin, code, "triangle {i} has the vertices of another one");
         }
-        let used: Set<usize> = triangles.iter().flatten().copied().collect();
-        let mut complex = Self { triangles, edges, sets, used, rim: Set::default(), part: vec![], parts: 0 };
-        // At each vertex all triangles are connected through shared edges: united corners, two for each edge.
-        let corner = |t: usize, v| 3 * t + complex.triangles[t].iter().position(|&x| x == v).unwrap_or(0);
-        let shared =
-            || complex.edges.iter().filter_map(|(&(a, b), &i)| Some((a, b, i, complex.across(a, b)?)));
-        let ends = shared().flat_map(|(a, b, i, j)| [a, b].map(|v| (corner(i, v), corner(j, v))));
-        let around = classes(3 * complex.triangles.len(), ends);
-        let mut class_at = Map::default();
-        for (&v, class) in complex.triangles.iter().flatten().zip(around) {
-            let connected = *class_at.entry(v).or_insert(class) == class;
+        let shared = |i: usize| sides(complex.triangles[i]).map(|(a, b)| Some((i, complex.across(a, b)?)));
+        for (v, list) in complex.around.iter().enumerate() {
+            let place = |i: usize| list.binary_search(&(i as u32)).ok();
+            let pairs = list.iter().flat_map(|&i| shared(i as usize)).flatten();
+            let pairs = pairs.filter_map(|(i, j)| place(i).zip(place(j)));
+            let connected = classes(list.len(), pairs).iter().all(|&class| class == 0);
             ensure!(connected, code, "the triangles at vertex {v} are not connected through its edges");
         }
-        let part = classes(complex.triangles.len(), shared().map(|(_, _, i, j)| (i, j)));
-        let rim = complex.edges.keys().filter(|(a, b)| complex.across(*a, *b).is_none());
-        complex.rim = rim.flat_map(|&(a, b)| [a, b]).collect();
-        let smallest = distinct(part.iter().copied());
-        complex.part = part.iter().map(|i| smallest.binary_search(i).unwrap_or(0)).collect();
-        complex.parts = smallest.len();
+        let n = complex.triangles.len();
+        let mut part = classes(n, (0..n).flat_map(shared).flatten());
+        for i in 0..n {
+            // The smallest of a class stands first, and has its number when the others come.
+            let new = part[i] == i;
+            part[i] = if new { complex.parts } else { part[part[i]] };
+            complex.parts += usize::from(new);
+        }
+        let open = complex.directed().filter(|&(_, (a, b))| complex.across(a, b).is_none());
+        let rim: Vec<usize> = open.flat_map(|(_, (a, b))| [a, b]).collect();
+        rim.into_iter().for_each(|v| complex.rim[v] = true);
+        complex.part = part;
         Ok(complex)
+    }
+
+    /// The directed edges, each with its triangle.
+    fn directed(&self) -> impl Iterator<Item = (usize, (usize, usize))> {
+        self.triangles.iter().enumerate().flat_map(|(i, t)| sides(*t).map(|side| (i, side)))
+    }
+
+    /// Whether a triangle has a directed edge.
+    fn has(&self, triangle: usize, side: (usize, usize)) -> bool {
+        sides(self.triangles[triangle]).contains(&side)
+    }
+
+    /// The triangles that have all the ids (at least one) as corners, some exactly if the ids are a simplex; found by
+    /// looking at the one with the fewest triangles.
+    pub(crate) fn holding<'a>(&'a self, ids: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
+        let short = ids.iter().map(|&v| self.around[v].as_slice()).min_by_key(|list| list.len());
+        let all = short.unwrap_or(&[]).iter().map(|&t| t as usize);
+        all.filter(|&t| ids.iter().all(|v| self.triangles[t].contains(v)))
     }
 
     /// The triangle on the other side of the directed edge `a b`.
     pub(crate) fn across(&self, a: usize, b: usize) -> Option<usize> {
-        self.edges.get(&(b, a)).copied()
+        self.holding(&[a, b]).find(|&t| self.has(t, (b, a)))
     }
 
     /// The triangle with exactly these corners, ascending.
     pub(crate) fn with_corners(&self, ids: &[usize]) -> Option<usize> {
-        self.sets.get::<[usize; 3]>(ids.try_into().ok()?).copied()
-    }
-
-    /// Whether the ascending ids are a vertex in use, an edge or a triangle.
-    pub(crate) fn is_simplex(&self, ids: &[usize]) -> bool {
-        match *ids {
-            [a] => self.used.contains(&a),
-            [a, b] => self.across(a, b).or(self.across(b, a)).is_some(),
-            _ => self.with_corners(ids).is_some(),
-        }
+        self.holding(ids).next().filter(|_| ids.len() == 3)
     }
 
     /// Whether the ids lie in a boundary edge.
     pub(crate) fn on_boundary(&self, ids: impl IntoIterator<Item = usize>) -> bool {
         match *distinct(ids) {
-            [a] => self.rim.contains(&a),
-            [a, b] => self.across(a, b).is_some() != self.across(b, a).is_some(),
+            [a] => self.rim[a],
+            [a, b] => self.holding(&[a, b]).count() == 1,
             _ => false,
         }
     }
 
     /// Vertices in use minus edges plus triangles.
     pub(crate) fn euler(&self) -> i128 {
-        let edges = self.edges.keys().filter(|&&(a, b)| a < b || self.across(a, b).is_none()).count();
-        self.used.len() as i128 - edges as i128 + self.triangles.len() as i128
+        let used = self.around.iter().filter(|list| !list.is_empty()).count();
+        let edges = self.directed().filter(|&(_, (a, b))| a < b || self.across(a, b).is_none()).count();
+        used as i128 - edges as i128 + self.triangles.len() as i128
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -15,17 +15,17 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) struct Lift<'a> {
     pub(crate) world: &'a World,
-    pub(crate) selected: &'a Selected,
+    pub(crate) selected: &'a Selected<'a>,
 }
 
 /// A point of `T` in a tet, with its carrier there.
 struct Station<'a> {
     at: &'a At,
-    tet: &'a Tet,
+    tet: Tet,
     carrier: Vec<usize>,
 }
 
-pub(crate) fn check(world: &World, selected: &Selected, witness: &Witness) -> Res {
+pub(crate) fn check(world: &World, selected: &Selected<'_>, witness: &Witness) -> Res {
     match witness {
         Witness::Topology(line, euler, stated) => {
             let value = |c: &Complex| if *euler { c.euler() } else { c.parts as i128 };
@@ -34,15 +34,15 @@ pub(crate) fn check(world: &World, selected: &Selected, witness: &Witness) -> Re
             ensure!(found[0] != found[1], "not-refuted", "line {line}: the values are equal");
             Ok(())
         }
-        Witness::Tet(fact) => not_positive(world, fact, &selected.tets),
+        Witness::Tet(fact) => not_positive(world, fact, selected.of(fact.prism)),
         Witness::Roots(roots) => Lift { world, selected }.roots(roots),
     }
 }
 
-/// A `tet` line about one of these tets.
-pub(crate) fn not_positive(world: &World, fact: &TetFact, tets: &[Tet]) -> Res {
-    let TetFact { line, prism, tet, value } = fact;
-    let tet = tets.iter().find(|t| t.prism == *prism && t.names == *tet);
+/// A `tet` line about one of these tets of its prism.
+pub(crate) fn not_positive(world: &World, fact: &TetFact, mut tets: impl Iterator<Item = Tet>) -> Res {
+    let TetFact { line, tet, value, .. } = fact;
+    let tet = tets.find(|t| t.names == *tet);
     let det = world.det(tet.ok_or_else(|| bad!("unknown-tet", "line {line}"))?.rows());
     ensure!(world.value(&det) == *value, "wrong-value", "line {line}");
     ensure!(sgn(&det) <= 0, "not-refuted", "line {line}");
@@ -75,14 +75,14 @@ impl<'a> Lift<'a> {
     pub(crate) fn carriers(&self, points: &[usize], weights: &[BigInt]) -> BTreeSet<Vec<usize>> {
         let keys = &self.world.keys;
         let near = Aabb::of(keys, &carrier(points, weights));
-        let tets = self.selected.tets.iter().filter(|t| Aabb::of(keys, &t.names).meets(&near));
-        tets.filter_map(|tet| self.carrier(points, weights, tet)).collect()
+        let tets = self.selected.tets().filter(|t| Aabb::of(keys, &t.names).meets(&near));
+        tets.filter_map(|tet| self.carrier(points, weights, &tet)).collect()
     }
 
     /// The carrier of a weighted point in a closed tet, if it lies in it.
     fn carrier(&self, points: &[usize], weights: &[BigInt], tet: &Tet) -> Option<Vec<usize>> {
         let coordinates = self.coordinates(points, weights, tet);
-        let inside = tet.positive && coordinates.iter().all(|x| sgn(x) >= 0);
+        let inside = tet.positive(self.world) && coordinates.iter().all(|x| sgn(x) >= 0);
         inside.then(|| carrier(&tet.names, &coordinates))
     }
 
@@ -94,23 +94,22 @@ impl<'a> Lift<'a> {
         std::array::from_fn(|i| used().map(|point| part(i, point)).sum())
     }
 
-    fn tet(&self, names: &Names4, line: usize) -> Res<&'a Tet> {
-        let found = self.selected.holding(names).next().map(|t| &self.selected.tets[t]);
-        found.ok_or_else(|| bad!("unknown-tet", "line {line}"))
+    fn tet(&self, names: &Names4, line: usize) -> Res<Tet> {
+        self.selected.holding(names).next().ok_or_else(|| bad!("unknown-tet", "line {line}"))
     }
 
     /// Follows a leg to its last station.
     fn walk(&self, root: &'a Root, branch: &Branch, leg: &'a Leg) -> Res<Station<'a>> {
         let tet = self.tet(&leg.start, leg.line)?;
         let holds = branch.names.iter().all(|n| leg.start.contains(n));
-        ensure!(tet.positive && holds, "wrong-step", "line {}", leg.line);
+        ensure!(tet.positive(self.world) && holds, "wrong-step", "line {}", leg.line);
         let mut here = Station { at: &root.at, tet, carrier: branch.names.clone() };
         for (at, names) in &leg.steps {
             let tet = self.tet(names, at.line)?;
             let corners = self.world.corners(here.at.triangle);
             let may = self.passable(&here.carrier) && self.vertices(at).iter().all(|v| corners.contains(v));
-            let within = |tet| self.carrier(&self.world.corners(at.triangle), &at.weights, tet);
-            let next = within(tet).filter(|c| may && within(here.tet).as_ref() == Some(c));
+            let within = |tet: &Tet| self.carrier(&self.world.corners(at.triangle), &at.weights, tet);
+            let next = within(&tet).filter(|c| may && within(&here.tet).as_ref() == Some(c));
             here = Station { at, tet, carrier: next.ok_or_else(|| bad!("wrong-step", "line {}", at.line))? };
         }
         Ok(here)
@@ -125,9 +124,9 @@ impl<'a> Lift<'a> {
     /// the tets must be disjoint.
     fn passable(&self, carrier: &[usize]) -> bool {
         let &[a, b] = carrier else { return carrier.len() > 2 };
-        let tets: Vec<&Tet> = self.selected.holding(&[a, b]).map(|t| &self.selected.tets[t]).collect();
+        let tets: Vec<Tet> = self.selected.holding(&[a, b]).collect();
         let turn = |x: usize, y: usize| self.world.sign([[a, b], [a, x], [a, y]]);
-        let wedge = |tet: &&Tet| -> Option<(usize, usize)> {
+        let wedge = |tet: &Tet| -> Option<(usize, usize)> {
             let mut others = tet.names.into_iter().filter(|&n| n != a && n != b);
             let (c, d) = (others.next()?, others.next()?);
             Some(if turn(c, d) > 0 { (c, d) } else { (d, c) })
@@ -138,7 +137,7 @@ impl<'a> Lift<'a> {
         let starts_in = |x: usize, (c, d): (usize, usize)| turn(c, x) >= 0 && turn(x, d) > 0;
         let disjoint = |i: usize, j: usize| i == j || !starts_in(wedges[i].0, wedges[j]);
         let n = wedges.len();
-        tets.iter().all(|t| t.positive) && (0..n).all(|i| (0..n).all(|j| disjoint(i, j)))
+        tets.iter().all(|t| t.positive(self.world)) && (0..n).all(|i| (0..n).all(|j| disjoint(i, j)))
     }
 
     /// Whether the reason holds at the last stations of the legs.

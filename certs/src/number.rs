@@ -1,7 +1,9 @@
 //! Exact integers and vectors of them; a determinant's sign from leading bits where these decide it.
 
+use ethnum::I256;
 use num_bigint::BigInt;
 use num_traits::Signed;
+use std::ops::{Add, Mul, Sub};
 
 /// A vector or a point.
 pub(crate) type Vec3<T = BigInt> = [T; 3];
@@ -11,16 +13,16 @@ pub(crate) fn sgn(x: &BigInt) -> i32 {
     i32::from(x.is_positive()) - i32::from(x.is_negative())
 }
 
-/// A finite double as `mantissa * 2^exponent` with an odd mantissa, or `(0, 0)`.
-pub(crate) fn decode(bits: u64) -> (i64, i64) {
-    let (raw, fraction) = ((bits >> 52 & 0x7ff).cast_signed(), (bits & ((1 << 52) - 1)).cast_signed());
+/// The finite double with this [`key`] as `mantissa * 2^exponent` with an odd mantissa, or `(0, 0)`.
+pub(crate) fn decode(key: i64) -> (i64, i64) {
+    let (raw, fraction) = (key.abs() >> 52, key.abs() & ((1 << 52) - 1));
     let (mantissa, exponent) = if raw == 0 { (fraction, -1074) } else { (fraction | 1 << 52, raw - 1075) };
     if mantissa == 0 {
         return (0, 0);
     }
     let zeros = mantissa.trailing_zeros();
     let odd = mantissa >> zeros;
-    (if bits >> 63 == 1 { -odd } else { odd }, exponent + i64::from(zeros))
+    (if key < 0 { -odd } else { odd }, exponent + i64::from(zeros))
 }
 
 /// An integer that orders finite doubles as their values do, equal exactly for equal values (`-0` and `0` too).
@@ -45,25 +47,35 @@ pub(crate) fn det([a, b, c]: &[Vec3; 3]) -> BigInt {
     dot(&cross(a, b), c)
 }
 
-/// The integers divided by a common power of two and rounded down; all results are below `2^40` in absolute value.
-pub(crate) fn leading<'a>(numbers: impl Iterator<Item = &'a BigInt> + Clone) -> impl Iterator<Item = i64> {
-    let shift = numbers.clone().map(BigInt::bits).max().unwrap_or(0).saturating_sub(40);
-    // Rounding down may give -2^40, which fits too.
-    numbers.map(move |x| i64::try_from(x >> shift).unwrap_or(i64::MAX))
+/// The integers times a common power of two, rounded down: at most `2^80` in absolute value, and one of at least `2^79`.
+pub(crate) fn leading<'a>(numbers: impl Iterator<Item = &'a BigInt> + Clone) -> impl Iterator<Item = i128> {
+    let bits = numbers.clone().map(BigInt::bits).max().unwrap_or(0);
+    let scaled = move |x: &BigInt| if bits > 80 { x >> (bits - 80) } else { x << (80 - bits) };
+    numbers.map(move |x| i128::try_from(scaled(x)).unwrap_or(i128::MAX))
 }
 
-/// The sign of the determinant of three rows, each entry known as an integer of at most `2^41` in absolute value with an
-/// error below 2; `None` if that does not decide it.
+/// The sign of the determinant of three rows, each entry known as an integer of at most `2^81` in absolute value with an
+/// error below 2, or exactly; `None` if that does not decide it.
 ///
 /// A product `x y z` with entries of at most `m` has an error below `(m+2)^3 - m^3 = 6m^2 + 12m + 8`, the six of the
-/// determinant together one below `48 (m+1)^2`. The largest intermediate sum is at most `6 * 2^123 < 2^127`.
-pub(crate) fn sign_near(rows: &[Vec3<i64>; 3]) -> Option<i32> {
-    let [a, b, c] = rows.map(|row| row.map(i128::from));
-    let largest = rows.iter().flatten().map(|x| i128::from(x.unsigned_abs())).max().unwrap_or(0);
+/// determinant together one below `48 (m+1)^2`. Leading bits of the entries come first: theirs are at most `2^41`, again
+/// with errors below 2. The largest intermediate sums are at most `6 * 2^123 < 2^127` and `6 * 2^243 < 2^255`.
+pub(crate) fn sign_near(rows: &[Vec3<i128>; 3], exact: bool) -> Option<i32> {
+    let largest = rows.iter().flatten().copied().map(i128::abs).max().unwrap_or(0);
+    let short = determinant(rows.map(|row| row.map(|x| x >> 40)));
+    // Rounding down may add one to the absolute value.
+    let m = (largest >> 40) + 2;
+    if short.abs() >= 48 * m * m {
+        return Some(short.signum() as i32);
+    }
+    let long = determinant(rows.map(|row| row.map(I256::from)));
+    let m = I256::from(largest + 1);
+    (exact || long.abs() >= m * m * 48).then(|| long.signum().as_i32())
+}
+
+fn determinant<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>>([a, b, c]: [Vec3<T>; 3]) -> T {
     let minor = |j: usize, k: usize| a[j] * b[k] - a[k] * b[j];
-    let value = minor(1, 2) * c[0] + minor(2, 0) * c[1] + minor(0, 1) * c[2];
-    let decided = value.abs() >= 48 * (largest + 1) * (largest + 1);
-    decided.then_some(if value < 0 { -1 } else { 1 })
+    minor(1, 2) * c[0] + minor(2, 0) * c[1] + minor(0, 1) * c[2]
 }
 
 #[cfg(test)]

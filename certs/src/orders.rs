@@ -3,7 +3,7 @@
 use crate::number::{Vec3, cross, dot, sgn};
 use crate::overlay::Overlay;
 use crate::world::World;
-use crate::{Res, complex, each};
+use crate::{Res, complex, each, tets};
 use num_bigint::BigInt;
 
 pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
@@ -22,9 +22,10 @@ pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
         let sides = complex::sides(world.shell.triangles[home]).map(Some);
         for side in std::iter::once(None).chain(sides) {
             let prism = side.map_or(Some(home), |(u, w)| world.shell.across(u, w));
-            let steep: Option<Vec<_>> = prism.map(|q| (q, world.rises(f, q))).map(|(q, rises)| {
-                let falls = |half| !rises && world.sign(world.dot(f, half)) <= 0;
-                world.tets[q].iter().filter(|t| falls(t.pillar) && crosses(world, f, t.names)).collect()
+            let steep = prism.map(|q| {
+                let mut tets = tets::steep(world, f, q);
+                tets.retain(|tet| crosses(world, f, tet.names));
+                tets
             });
             if steep.as_ref().is_some_and(Vec::is_empty) {
                 continue;

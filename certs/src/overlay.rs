@@ -13,7 +13,7 @@ use std::iter::Sum;
 struct Weights {
     ids: Vec<usize>,
     exact: Vec<BigInt>,
-    near: Vec<i64>,
+    near: Vec<i128>,
 }
 
 /// A vertex of `K`.
@@ -43,24 +43,34 @@ pub(crate) struct Overlay<'a> {
 type Rim = (usize, Vec<usize>, Vec<usize>);
 
 impl<'a> Overlay<'a> {
-    pub(crate) fn check(world: &World, selected: &Selected, facts: &'a Facts) -> Res<Self> {
-        ensure!(selected.tets.iter().all(|t| t.positive), "not-positive", "a tet of the order");
-        let corners = all(&facts.corners, |(line, ids, names)| {
-            ensure!(world.mesh.is_simplex(ids), "mesh-carrier", "line {line}");
+    pub(crate) fn check(world: &World, selected: &Selected<'_>, facts: &'a Facts) -> Res<Self> {
+        ensure!(selected.positive(), "not-positive", "a tet of the order");
+        let corners = all(facts.ids.len(), |i| {
+            let (line, ids, names) = (facts.ids.line(i), facts.ids.of(i), facts.names.of(i));
+            ensure!(world.mesh.holding(ids).next().is_some(), "mesh-carrier", "line {line}");
             ensure!(selected.holding(names).next().is_some(), "shell-carrier", "line {line}");
             ensure!(!world.in_cap(&[names]), "cap", "line {line}");
-            meet(world, *line, ids, names)
+            meet(world, line, ids, names)
         })?;
         let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
-        overlay.cells = all(&facts.cells, |(line, ids)| overlay.cell(world, selected, *line, ids))?;
+        overlay.cells = all(facts.cells.len(), |i| {
+            overlay.cell(world, selected, facts.cells.line(i), facts.cells.of(i))
+        })?;
         overlay.boundary = overlay.check_edges(world)?;
-        let used: Set<usize> = overlay.cells.iter().flat_map(|c| c.corners).copied().collect();
-        ensure!(used.len() == overlay.corners.len(), "isolated", "a `v` line is in no cell");
+        let mut used = vec![false; overlay.corners.len()];
+        overlay.cells.iter().flat_map(|c| c.corners).for_each(|&x| used[x] = true);
+        ensure!(!used.contains(&false), "isolated", "a `v` line is in no cell");
         overlay.check_degree(world, facts)?;
         Ok(overlay)
     }
 
-    fn cell(&self, world: &World, selected: &Selected, line: usize, corners: &'a [usize]) -> Res<Cell<'a>> {
+    fn cell(
+        &self,
+        world: &World,
+        selected: &Selected<'_>,
+        line: usize,
+        corners: &'a [usize],
+    ) -> Res<Cell<'a>> {
         let ids =
             |side: usize| distinct(corners.iter().flat_map(|&x| &self.corners[x].weights[side].ids).copied());
         let names = distinct(corners.iter().flat_map(|&x| self.corners[x].names).copied());
@@ -75,7 +85,11 @@ impl<'a> Overlay<'a> {
                 let weights = fan.map(|x| &self.corners[x].weights[side]);
                 let near = weights.map(|w| w.row(cell.within[side], &w.near));
                 let exact = || sgn(&det(&self.rows(side, &cell, fan)));
-                ensure!(sign_near(&near).unwrap_or_else(exact) > 0, code, "line {line}: fan triangle {i}");
+                ensure!(
+                    sign_near(&near, false).unwrap_or_else(exact) > 0,
+                    code,
+                    "line {line}: fan triangle {i}"
+                );
             }
         }
         Ok(cell)
@@ -94,14 +108,16 @@ impl<'a> Overlay<'a> {
     fn check_edges(&self, world: &World) -> Res<Vec<Rim>> {
         let directed =
             || self.cells.iter().flat_map(|c| fans(c.corners).flat_map(sides).map(|e| (c.line, e)));
+        // Half as long as pairs of `usize`.
+        let short = |(a, b): (usize, usize)| (a as u32, b as u32);
         let mut edges = Set::default();
         for (line, edge) in directed() {
-            ensure!(edges.insert(edge), "edge-twice", "line {line}: corners {edge:?}");
+            ensure!(edges.insert(short(edge)), "edge-twice", "line {line}: corners {edge:?}");
             let names = [edge.0, edge.1].map(|x| self.corners[x].names);
             ensure!(!world.in_cap(&names), "cap", "line {line}: corners {edge:?}");
         }
         let mut boundary = Vec::new();
-        for (line, (a, b)) in directed().filter(|(_, (a, b))| !edges.contains(&(*b, *a))) {
+        for (line, (a, b)) in directed().filter(|&(_, (a, b))| !edges.contains(&short((b, a)))) {
             let ends = [a, b].map(|x| &self.corners[x]);
             let [on_mesh, ids] =
                 [0, 1].map(|side| distinct(ends.map(|c| c.weights[side].ids.clone()).concat()));

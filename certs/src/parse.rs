@@ -57,11 +57,44 @@ pub(crate) struct TetFact {
     pub(crate) value: Value,
 }
 
+/// The numbers of lines that follow each other.
+#[derive(Default)]
+pub(crate) struct Rows {
+    /// The first line's number in the file.
+    first: usize,
+    items: Vec<usize>,
+    /// Where each line's numbers end.
+    ends: Vec<usize>,
+}
+
+impl Rows {
+    fn push(&mut self, row: &[usize]) {
+        self.items.extend_from_slice(row);
+        self.ends.push(self.items.len());
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The numbers of the `i`-th line.
+    pub(crate) fn of(&self, i: usize) -> &[usize] {
+        let start = i.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.items[start..self.ends[i]]
+    }
+
+    /// The number of the `i`-th line in the file.
+    pub(crate) fn line(&self, i: usize) -> usize {
+        self.first + i
+    }
+}
+
 #[derive(Default)]
 pub(crate) struct Overlay {
-    /// Line, mesh vertices, names.
-    pub(crate) corners: Vec<(usize, Vec<usize>, Vec<usize>)>,
-    pub(crate) cells: Vec<(usize, Vec<usize>)>,
+    /// The mesh vertices and the names of each `v` line.
+    pub(crate) ids: Rows,
+    pub(crate) names: Rows,
+    pub(crate) cells: Rows,
     /// Line, cell, fan triangle; for the mesh, for the middle complex.
     pub(crate) degree: [Vec<(usize, usize, usize)>; 2],
 }
@@ -324,21 +357,26 @@ impl<'a> Parser<'a> {
 
     fn overlay(&mut self) -> Res<Overlay> {
         let mut seen = Set::default();
-        let corners = self.list("v", false, |line| {
-            let ids = line.mesh_ids()?;
-            let names = line.names()?;
+        let first = self.at + 1;
+        let [mut ids, mut names] = [(); 2].map(|()| Rows { first, ..Rows::default() });
+        self.list("v", false, |line| {
+            ids.push(&line.mesh_ids()?);
+            names.push(&line.names()?);
             line.finish()?;
             // What fits the grammar is written in one way only.
             if !seen.insert(line.text) {
                 return malformed("duplicate", format!("line {} repeats an earlier one", line.at));
             }
-            Ok((line.at, ids, names))
+            Ok(())
         })?;
-        let cells = self.list("c", false, |line| {
-            let ids = line.distinct_ids(corners.len())?;
-            line.require(ids.len() >= 3)?;
+        drop(seen);
+        let mut cells = Rows { first: self.at + 1, ..Rows::default() };
+        self.list("c", false, |line| {
+            let corners = line.distinct_ids(ids.len())?;
+            line.require(corners.len() >= 3)?;
             line.finish()?;
-            Ok((line.at, ids))
+            cells.push(&corners);
+            Ok(())
         })?;
         let mut degree = [Vec::new(), Vec::new()];
         for (kind, list) in ["mesh", "middle"].iter().zip(&mut degree) {
@@ -349,13 +387,13 @@ impl<'a> Parser<'a> {
                 let mut line = self.line("d")?;
                 line.expect(kind)?;
                 let cell = line.id(cells.len())?;
-                let fans = cells.get(cell).map_or(usize::MAX, |c: &(usize, Vec<usize>)| c.1.len() - 2);
+                let fans = if cell < cells.len() { cells.of(cell).len() - 2 } else { usize::MAX };
                 let fan = line.id(fans)?;
                 line.finish()?;
                 list.push((line.at, cell, fan));
             }
         }
-        Ok(Overlay { corners, cells, degree })
+        Ok(Overlay { ids, names, cells, degree })
     }
 
     fn witness(&mut self) -> Res<Witness> {

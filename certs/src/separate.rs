@@ -6,7 +6,7 @@ use crate::lift::Lift;
 use crate::line::Plane;
 use crate::number::{cross, dot, sgn};
 use crate::parse::{Crossing, Overlap, Separation};
-use crate::tets::{Selected, Tet};
+use crate::tets::{self, Selected};
 use crate::world::World;
 use crate::{Res, each, show};
 use num_bigint::BigInt;
@@ -96,11 +96,10 @@ pub(crate) fn disjoint(world: &World, sets: &Sets, lines: &[Separation]) -> Res 
         let mut partners = tree.meeting(&bounds);
         partners.retain(|&j| !*itself || i < j);
         for j in distinct(partners.into_iter().chain(lines[from..to].iter().map(|line| line.pair.1))) {
-            let mut open = vec![&second[j][..]];
-            if second[j].len() > 3 {
-                let rises = world.rises(i, j);
-                let steep = |t: &&Tet| !rises && world.sign(world.dot(i, t.pillar)) <= 0;
-                open = world.tets[j].iter().filter(steep).map(|tet| &tet.names[..]).collect();
+            let tets = if second[j].len() > 3 { tets::steep(world, i, j) } else { Vec::new() };
+            let mut open: Vec<&[usize]> = tets.iter().map(|tet| &tet.names[..]).collect();
+            if second[j].len() == 3 {
+                open.push(&second[j]);
             }
             let pair = |b| Pair { world, a, b, itself: *itself };
             open.retain(|b| Aabb::of(&world.keys, b).meets(&bounds) && !pair(b).separate_alone());
@@ -125,7 +124,7 @@ pub(crate) fn disjoint(world: &World, sets: &Sets, lines: &[Separation]) -> Res 
 pub(crate) fn crossing(world: &World, sets: &Sets, facts: &[Crossing]) -> Res {
     for Crossing { line, pair: (i, j), first, second, contact } in facts {
         let (a, b) = (sets.first[*i], contact.as_ref().map_or(&sets.second[*j][..], |(tet, _)| tet));
-        let tet = world.tets.get(*j).and_then(|tets| tets.iter().find(|t| t.names == b));
+        let tet = contact.as_ref().and_then(|_| tets::all(world, *j).into_iter().find(|t| t.names == b));
         ensure!(contact.is_none() || tet.is_some(), "unknown-tet", "line {line}");
         let ((x, xw), (y, yw)) = (world.mean(&a, first), world.mean(b, second));
         ensure!(x.iter().zip(&y).all(|(x, y)| x * &yw == y * &xw), "wrong-point", "line {line}");
@@ -149,8 +148,8 @@ pub(crate) fn carrier(ids: &[usize], weights: &[BigInt]) -> Vec<usize> {
 
 /// `disjoint-prisms` certified (rule R4): the skin does not meet itself, and a triangle of each connected part of it has
 /// its middle in no other tet.
-pub(crate) fn injective(world: &World, selected: &Selected, lines: &[Separation]) -> Res {
-    ensure!(selected.tets.iter().all(|t| t.positive), "not-positive", "a tet of the order");
+pub(crate) fn injective(world: &World, selected: &Selected<'_>, lines: &[Separation]) -> Res {
+    ensure!(selected.positive(), "not-positive", "a tet of the order");
     let skin = selected.skin();
     ensure!(lines.iter().all(|l| l.pair.1 < skin.len()), "superfluous", "the skin has {}", skin.len());
     let second = skin.iter().map(Vec::from).collect();
@@ -168,7 +167,7 @@ pub(crate) fn injective(world: &World, selected: &Selected, lines: &[Separation]
 }
 
 /// `disjoint-prisms` refuted: a point of two tets with different carriers.
-pub(crate) fn overlap(world: &World, selected: &Selected, facts: &[Overlap]) -> Res {
+pub(crate) fn overlap(world: &World, selected: &Selected<'_>, facts: &[Overlap]) -> Res {
     for Overlap { line, tets: [a, b], weights: [u, v] } in facts {
         let known = |tet: &[usize]| selected.holding(tet).next().is_some();
         ensure!(known(a) && known(b), "unknown-tet", "line {line}");

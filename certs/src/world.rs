@@ -1,29 +1,26 @@
-//! All points, scaled to integers with one exponent, and the complexes: what every claim is checked against.
+//! All points, as integers with one exponent, and the complexes: what every claim is checked against.
 
 use crate::complex::Complex;
-use crate::input::{Bits, Mesh, Shell};
+use crate::input::{Mesh, Shell};
 use crate::line::Value;
-use crate::number::{Vec3, decode, det, key, leading, sgn, sign_near};
-use crate::tets::{self, Tet};
+use crate::number::{Vec3, decode, det, key, sgn, sign_near};
 use num_bigint::BigInt;
-use rayon::prelude::*;
 
 /// Points are numbered: shell name `(id, layer)` is `3 id + layer`, mesh vertex `g` is `3 nS + g`.
 pub(crate) struct World {
-    points: Vec<Vec3>,
-    /// The leading bits of the points, for signs.
-    near: Vec<Vec3<i64>>,
-    /// Integers in the order of the coordinates, for boxes and equality.
+    /// Integers in the order of the coordinates, for boxes and equality, which hold all bits.
     pub(crate) keys: Vec<[i64; 3]>,
-    /// A coordinate is its integer times two to this power.
+    /// The leading bits of the points, for signs.
+    near: Vec<Vec3<i128>>,
+    /// The bits of all coordinates together: from the largest one's first to the last one of any.
+    bits: i64,
+    /// A coordinate is an integer times two to this power.
     exp: i64,
     /// The number of the mesh vertex 0.
     pub(crate) base: usize,
     pub(crate) pinched: Vec<bool>,
     pub(crate) shell: Complex,
     pub(crate) mesh: Complex,
-    /// The different tets of each prism.
-    pub(crate) tets: Vec<Vec<Tet>>,
 }
 
 /// Which vertices have three equal points.
@@ -35,28 +32,27 @@ pub(crate) fn pinched(shell: &Shell) -> Vec<bool> {
 impl World {
     pub(crate) fn new(shell: &Shell, mesh: &Mesh, (middle, surface): (Complex, Complex)) -> Self {
         let shell_points = (0..shell.layers[0].len()).flat_map(|v| shell.layers.each_ref().map(|l| l[v]));
-        let bits: Vec<Bits> = shell_points.chain(mesh.points.iter().copied()).collect();
-        let numbers = bits.iter().flatten().map(|&x| decode(x)).filter(|x| x.0 != 0);
-        let exp = numbers.map(|x| x.1).min().unwrap_or(0);
-        let scaled = |x: u64| match decode(x) {
-            (0, _) => BigInt::ZERO,
-            (mantissa, e) => BigInt::from(mantissa) << (e - exp),
+        let keys: Vec<_> = shell_points.chain(mesh.points.iter().copied()).map(|p| p.map(key)).collect();
+        let parts = || keys.iter().flatten().map(|&x| decode(x)).filter(|x| x.0 != 0);
+        let exp = parts().map(|x| x.1).min().unwrap_or(0);
+        let top =
+            parts().map(|(m, e)| e + 64 - i64::from(m.unsigned_abs().leading_zeros())).max().unwrap_or(0);
+        // Rounded down to multiples of 2^(top - 80), which may give -2^80.
+        let near = |x: i64| match decode(x) {
+            (0, _) => 0,
+            (m, e) if e >= top - 80 => i128::from(m) << (e - top + 80),
+            (m, e) => i128::from(m >> (top - 80 - e).min(63)),
         };
-        let points: Vec<Vec3> = bits.iter().map(|p| p.map(scaled)).collect();
-        let near: Vec<i64> = leading(points.iter().flatten()).collect();
-        let mut world = Self {
-            near: near.as_chunks().0.to_vec(),
-            points,
-            keys: bits.iter().map(|p| p.map(key)).collect(),
+        Self {
+            near: keys.iter().map(|p| p.map(near)).collect(),
+            keys,
+            bits: top - exp,
             exp,
             base: 3 * shell.layers[0].len(),
             pinched: pinched(shell),
             shell: middle,
             mesh: surface,
-            tets: Vec::new(),
-        };
-        world.tets = (0..shell.prisms.len()).into_par_iter().map(|p| tets::all(&world, p)).collect();
-        world
+        }
     }
 
     /// The name of a vertex in a layer.
@@ -74,9 +70,22 @@ impl World {
         self.mesh.triangles[f].map(|v| self.base + v)
     }
 
+    /// A coordinate, divided by two to the power `exp`.
+    fn integer(&self, point: usize, axis: usize) -> BigInt {
+        let (mantissa, e) = decode(self.keys[point][axis]);
+        if mantissa == 0 { BigInt::ZERO } else { BigInt::from(mantissa) << (e - self.exp) }
+    }
+
     /// `y - x`.
     pub(crate) fn offset(&self, [x, y]: [usize; 2]) -> Vec3 {
-        std::array::from_fn(|i| &self.points[y][i] - &self.points[x][i])
+        let short = |point: usize, axis: usize| match decode(self.keys[point][axis]) {
+            (0, _) => 0,
+            (mantissa, e) => i128::from(mantissa) << (e - self.exp),
+        };
+        std::array::from_fn(|i| match self.bits <= 126 {
+            true => BigInt::from(short(y, i) - short(x, i)),
+            false => self.integer(y, i) - self.integer(x, i),
+        })
     }
 
     /// The determinant of three differences of points.
@@ -87,7 +96,7 @@ impl World {
     /// Its sign.
     pub(crate) fn sign(&self, rows: [[usize; 2]; 3]) -> i32 {
         let near = |[x, y]: [usize; 2]| std::array::from_fn(|i| self.near[y][i] - self.near[x][i]);
-        sign_near(&rows.map(near)).unwrap_or_else(|| sgn(&self.det(rows)))
+        sign_near(&rows.map(near), self.bits <= 80).unwrap_or_else(|| sgn(&self.det(rows)))
     }
 
     /// The sign of `det[b - a, c - a, x - a]`: the side of the plane `a b c` on which `x` lies.
@@ -123,7 +132,7 @@ impl World {
 
     /// The weighted sum of points, and the sum of the weights.
     pub(crate) fn mean(&self, points: &[usize], weights: &[BigInt]) -> (Vec3, BigInt) {
-        let sum = |i: usize| points.iter().zip(weights).map(|(&p, w)| &self.points[p][i] * w).sum();
+        let sum = |i: usize| points.iter().zip(weights).map(|(&p, w)| self.integer(p, i) * w).sum();
         (std::array::from_fn(sum), weights.iter().sum())
     }
 
@@ -135,3 +144,6 @@ impl World {
         (cap(0) || cap(2)) && !(names().count() == 1 && names().all(pinched))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -29,8 +29,8 @@ const UP: Row = Row::Vector([0, 0, 1 << 40]);
 /// The points of all inputs. Groups of inputs that are compared with each other have one scale.
 pub(super) struct Points {
     pub(super) hom: Vec<Hom>,
-    /// `x / w`, scaled and rounded down: at most `2^40` in absolute value.
-    near: Vec<Vec3<i64>>,
+    /// `x / w`, scaled and rounded down: at most `2^80` in absolute value.
+    near: Vec<Vec3<i128>>,
     /// Ranks of the coordinates in the group: equal just for equal ones.
     pub(super) keys: Vec<[i64; 3]>,
 }
@@ -44,13 +44,13 @@ fn difference(x: &Hom, y: &Hom) -> Vec3 {
 }
 
 /// `floor(x 2^shift / w)`.
-fn scaled(x: &BigInt, w: &BigInt, shift: i64) -> i64 {
+fn scaled(x: &BigInt, w: &BigInt, shift: i64) -> i128 {
     let exponent = size(x, w).saturating_add(shift);
     if x.is_zero() || exponent <= 0 {
-        return i64::from(sgn(x).min(0));
+        return i128::from(sgn(x).min(0));
     }
     let quotient = if shift >= 0 { (x << shift).div_floor(w) } else { x.div_floor(&(w << -shift)) };
-    i64::try_from(quotient).unwrap_or(i64::MAX)
+    i128::try_from(quotient).unwrap_or(i128::MAX)
 }
 
 /// `|x / w| < 2^size`.
@@ -76,7 +76,7 @@ fn common_denominator(group: &mut [Hom]) {
     });
 }
 
-fn ranks(group: &[Hom], near: &[Vec3<i64>], axis: usize) -> Vec<i64> {
+fn ranks(group: &[Hom], near: &[Vec3<i128>], axis: usize) -> Vec<i64> {
     // What is rounded down differently is ordered as it is.
     let order = |i: usize, j: usize| {
         let (p, q) = (&group[i], &group[j]);
@@ -103,7 +103,7 @@ impl Points {
             let sizes = group.par_iter().flat_map_iter(|p| {
                 p.x.iter().filter(|x| !x.is_zero()).map(|x| size(x, &p.w)).collect::<Vec<_>>()
             });
-            let shift = 40 - sizes.max().unwrap_or(0);
+            let shift = 80 - sizes.max().unwrap_or(0);
             let round = |p: &Hom| p.x.each_ref().map(|x| scaled(x, &p.w, shift));
             let near: Vec<_> = group.par_iter().map(round).collect();
             let axes = [0, 1, 2].map(|axis| ranks(&group, &near, axis));
@@ -114,10 +114,10 @@ impl Points {
         all
     }
 
-    fn near(&self, row: Row) -> Vec3<i64> {
+    fn near(&self, row: Row) -> Vec3<i128> {
         match row {
             Row::Offset(x, y) => std::array::from_fn(|i| self.near[y][i] - self.near[x][i]),
-            Row::Vector(v) => v,
+            Row::Vector(v) => v.map(|x| i128::from(x) << 40),
         }
     }
 
@@ -131,7 +131,7 @@ impl Points {
 
     /// The sign of a determinant; the filter is `sign_near`, whose bounds the roundings above keep.
     pub(super) fn sign(&self, rows: [Row; 3]) -> i32 {
-        sign_near(&rows.map(|row| self.near(row)))
+        sign_near(&rows.map(|row| self.near(row)), false)
             .unwrap_or_else(|| sgn(&det(&rows.map(|row| self.exact(row)))))
     }
 

@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::points::Hom;
-use crate::number::decode;
+use crate::number::{decode, key};
 use crate::{LIMIT, Res, input, malformed};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -48,7 +48,7 @@ fn mesh(file: &[u8]) -> Result<Complex, String> {
     let mut sha = Sha256::new();
     sha.update(format!("homeo-complex 1\nspace 3\ncorners 3\nvertices {}\n", mesh.points.len()));
     for point in &mesh.points {
-        let texts = point.map(|bits| match decode(bits) {
+        let texts = point.map(|bits| match decode(key(bits)) {
             (mantissa, 0) => mantissa.to_string(),
             (mantissa, exponent) => odd(mantissa, exponent),
         });
@@ -62,8 +62,11 @@ fn mesh(file: &[u8]) -> Result<Complex, String> {
     sha.update("end\n");
     let corners = mesh.triangles.into_iter().flatten().collect();
     let cells = Cells { k: 3, corners, vertices: mesh.points.len() };
-    let points =
-        mesh.points.iter().map(|p| point(p.map(decode).map(|(m, e)| Number::Dyadic(m.into(), e)))).collect();
+    let points = mesh
+        .points
+        .iter()
+        .map(|p| point(p.map(|bits| decode(key(bits))).map(|(m, e)| Number::Dyadic(m.into(), e))))
+        .collect();
     Ok(Complex { sha: hex(sha), space: 3, points, cells })
 }
 

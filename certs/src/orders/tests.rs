@@ -14,7 +14,7 @@ fn world(points: &[[i32; 3]]) -> World {
     let layers = [vec![at(0), at(3), at(0)], vec![at(1); 3], vec![at(2); 3]];
     let shell = Shell { layers, prisms: vec![[0, 1, 2]] };
     let mesh = Mesh { points: points[4..].iter().map(bits).collect(), triangles: vec![[0, 1, 2]] };
-    let complex = || Complex::new(vec![[0, 1, 2]], "").unwrap_or_else(|_| panic!("a triangle"));
+    let complex = || Complex::new(vec![[0, 1, 2]], 3, "").unwrap_or_else(|_| panic!("a triangle"));
     World::new(&shell, &mesh, (complex(), complex()))
 }
 
