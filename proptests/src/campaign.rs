@@ -20,7 +20,7 @@ const BATCH: u32 = 64;
 /// Runs a property on random recipes: on `HOMEO_CASES` many when that is set, else for `seconds`.
 ///
 /// # Panics
-/// With the smallest recipe found that fails, and its case.
+/// With the smallest recipe found that fails, and its case; if nearly all cases are noted as refused.
 pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>, String>) {
     let wanted: Option<u32> =
         env::var("HOMEO_CASES").ok().map(|n| n.parse().expect("HOMEO_CASES is a number"));
@@ -55,8 +55,15 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
         }
         done += BATCH;
     }
-    let counted = counted.borrow();
-    eprintln!("{counted} cases: {:?}", tally.borrow());
+    let (counted, tally) = (counted.borrow(), tally.borrow());
+    eprintln!("{counted} cases: {tally:?}");
+    assert!(is_telling(*counted, &tally), "nearly all cases were refused: {counted} cases, {tally:?}");
+}
+
+/// Was the property asked about more than a few of the cases? All inputs refused would satisfy any.
+fn is_telling(counted: u64, tally: &Tally) -> bool {
+    let refused: u64 = ["refused", "branched"].iter().filter_map(|note| tally.get(*note)).sum();
+    counted < 100 || refused < counted - counted / 10
 }
 
 /// Certifies all claims; `Ok(None)` where the input is refused.
@@ -151,4 +158,19 @@ pub fn compare(case: &Case) -> Result<Vec<String>, String> {
     let i2 = all_orders && apart == [true; 2] && world.contacts_face_up();
     same("C3+", holds(&outcome, Claim::I2), i2)?;
     Ok(notes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Tally, is_telling};
+
+    #[test]
+    fn a_run_that_refuses_all_tells_nothing() {
+        let tally = |refused, holds| Tally::from([("refused".into(), refused), ("C1 holds".into(), holds)]);
+        assert!(is_telling(1000, &tally(700, 300)));
+        assert!(!is_telling(1000, &tally(1000, 0)));
+        assert!(!is_telling(1000, &tally(950, 50)));
+        // Too few to tell.
+        assert!(is_telling(64, &tally(64, 0)));
+    }
 }
