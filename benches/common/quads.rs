@@ -26,8 +26,8 @@ impl Kind {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Random => "random",
-            Self::OneUlp => "one ulp off",
-            Self::Coplanar => "exactly coplanar",
+            Self::OneUlp => "one ulp off (50 bits)",
+            Self::Coplanar => "exactly coplanar (50 bits)",
         }
     }
 }

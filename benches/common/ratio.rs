@@ -67,7 +67,9 @@ pub fn take_turns<E>(rounds: usize, warm: bool, sides: &mut [Side<'_, E>]) -> Re
     Ok(out)
 }
 
+// The numbers are whole.
 #[cfg(test)]
+#[allow(clippy::float_cmp)]
 mod tests {
     use super::{Side, Spread, take_turns};
 

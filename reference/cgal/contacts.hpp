@@ -63,19 +63,24 @@ inline bool only_pinched(const Mesh& mesh, std::size_t f, const Solid& tet, cons
                      [&](const Row& x) { return pinched.count(x) > 0 && point<Exact>(x) == *at; });
 }
 
+inline std::vector<Box> prism_boxes(const Shell& shell, const std::vector<std::size_t>& ids) {
+  std::vector<Box> out;
+  out.reserve(shell.faces.size());
+  for (std::size_t i = 0; i < shell.faces.size(); ++i) {
+    CGAL::Bbox_3 box;
+    for (const auto& layer : shell.layers) box += triangle<Fast>(layer, shell.faces[i]).bbox();
+    out.emplace_back(box, &ids[i]);
+  }
+  return out;
+}
+
 // Pairs of a mesh triangle and a tet that share a point other than a pinched vertex although the triangle's dot with the
 // tet's pillar half is not positive. By boxes of prisms; a prism whose six dots are positive needs none of its tets.
 inline std::size_t contacts_by_prisms(const Mesh& mesh, const Shell& shell) {
   const auto pinched = pinched_points(shell);
   const auto mesh_ids = ids_of(mesh.faces.size()), shell_ids = ids_of(shell.faces.size());
   auto triangles = triangle_boxes(mesh.points, mesh.faces, mesh_ids);
-  std::vector<Box> prisms;
-  prisms.reserve(shell.faces.size());
-  for (std::size_t i = 0; i < shell.faces.size(); ++i) {
-    CGAL::Bbox_3 box;
-    for (const auto& layer : shell.layers) box += triangle<Fast>(layer, shell.faces[i]).bbox();
-    prisms.emplace_back(box, &shell_ids[i]);
-  }
+  auto prisms = prism_boxes(shell, shell_ids);
   std::size_t contacts = 0;
   const DotOf<Fast>::type dot;
   CGAL::box_intersection_d(triangles.begin(), triangles.end(), prisms.begin(), prisms.end(), [&](const Box& a, const Box& b) {

@@ -111,6 +111,24 @@ fn compare(
     Ok(())
 }
 
+/// How the inputs are decided: what a batch costs depends on it.
+fn stages(name: &str, found: StageCounts, report: &mut Report) {
+    let value = json!({ "filter": found.filter, "fixed_width": found.fixed, "big_integers": found.big });
+    report.data(&format!("orient3d, batched, {name}, decided by"), value);
+}
+
+fn same_at_all_levels(signs: &[Sign], answer: impl Fn(Level, &mut [Sign]) -> Res<StageCounts>) -> Res {
+    for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
+        let mut again = vec![Sign::Zero; signs.len()];
+        answer(level, &mut again)?;
+        if again != signs {
+            let what = "another sign than with the instructions of every processor".to_owned();
+            return Err(PeersError::Disagrees { who: name(level).to_owned(), what });
+        }
+    }
+    Ok(())
+}
+
 fn counts(signs: &[Sign]) -> [u64; 2] {
     [Sign::Positive, Sign::Zero].map(|sign| signs.iter().filter(|s| **s == sign).count() as u64)
 }
@@ -123,8 +141,9 @@ fn streamed(plan: &Plan, count: usize, report: &mut Report) -> Res {
     let point = |k: usize| Points([0, 1, 2].map(|axis| arrays[3 * k + axis]));
     let points = [0, 1, 2, 3].map(point);
     let mut signs = vec![Sign::Zero; count];
-    orient3d_at(Level::Baseline, points, &mut signs)?;
+    stages(&format!("{count} streamed"), orient3d_at(Level::Baseline, points, &mut signs)?, report);
     let wanted = counts(&signs);
+    same_at_all_levels(&signs, |level, again| Ok(orient3d_at(level, points, again)?))?;
     let signs = std::cell::RefCell::new(signs);
     let send = |subject: &mut Subject| {
         subject.send_line(&format!("streams {count}"))?;
@@ -171,8 +190,10 @@ fn indexed(plan: &Plan, frequency: u32, report: &mut Report) -> Res {
     let vertices = [shell.bottom.as_slice(), &shell.middle, &shell.top].concat();
     let quads = tets(&shell);
     let mut signs = vec![Sign::Zero; quads.len()];
-    orient3d_indexed_at(Level::Baseline, &vertices, &quads, &mut signs)?;
+    let found = orient3d_indexed_at(Level::Baseline, &vertices, &quads, &mut signs)?;
+    stages(&format!("{} indexed", quads.len()), found, report);
     let (count, wanted) = (quads.len(), counts(&signs));
+    same_at_all_levels(&signs, |level, again| Ok(orient3d_indexed_at(level, &vertices, &quads, again)?))?;
     let signs = std::cell::RefCell::new(signs);
     let send = |subject: &mut Subject| {
         subject.send_line(&format!("indexed {} {count}", vertices.len()))?;

@@ -45,8 +45,21 @@ pub(crate) fn run(plan: &Plan, report: &mut Report) -> Res {
     let mut runs = Vec::new();
     for size in sizes {
         let rounds = if size <= SMALL { plan.options.few_rounds() } else { 1 };
-        runs.push(measure(size, rounds)?);
+        match measure(size, rounds) {
+            Ok(run) => runs.push(run),
+            // Not enough memory, most likely: what fits is still told.
+            Err(error @ PeersError::Program { .. }) => {
+                eprintln!("FAILED: {error}");
+                let what = format!("certify and check, {size} triangles");
+                report.row(Row::absent(&what, "linear", Some(Asked::AtMost(1.05)), "FAILED"));
+                break;
+            }
+            Err(error) => return Err(error),
+        }
         eprintln!("  {:?}", runs.last());
+    }
+    if runs.is_empty() {
+        return Ok(());
     }
     let points = |seconds: &dyn Fn(&Run) -> f64| -> Vec<[f64; 2]> {
         runs.iter().map(|r| [r.triangles as f64, seconds(r)]).collect()
@@ -131,7 +144,8 @@ fn measure(size: u32, rounds: usize) -> Res<Run> {
         let path = program("homeo-profile").map_err(io)?;
         let output = Command::new(path).args([&argument, "check"]).output().map_err(io)?;
         if !output.status.success() {
-            return Err(failed(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
+            let said = String::from_utf8_lossy(&output.stderr);
+            return Err(failed(format!("{}: {}", output.status, said.trim())));
         }
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         if !text.contains("checker: valid") {

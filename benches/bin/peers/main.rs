@@ -97,7 +97,7 @@ fn run(plan: &Plan) -> Res {
         "seconds": seconds,
     });
     let path = output("peers.json", &plan.options)?;
-    let json = serde_json::to_string_pretty(&report.json(about))? + "\n";
+    let json = serde_json::to_string_pretty(&report.json(&about))? + "\n";
     std::fs::write(&path, json)
         .map_err(|source| PeersError::Io { what: path.display().to_string(), source })?;
     if plan.options.whole() {

@@ -29,7 +29,7 @@ pub(crate) enum Part {
 #[derive(Debug, Parser)]
 #[command(name = "homeo-peers")]
 pub(crate) struct Options {
-    /// Rounds of short measurements; whole runs have a third of them
+    /// Rounds of short measurements; whole runs have a fifth of them
     #[arg(long, value_name = "N", default_value_t = 15)]
     pub(crate) rounds: usize,
     /// Small inputs: to see that everything runs
@@ -58,9 +58,9 @@ impl Options {
         if self.quick { quick } else { full }
     }
 
-    /// Rounds of a whole run of the certifier: a third, at least one.
+    /// Rounds of a whole run of the certifier: a fifth, at least one.
     pub(crate) fn few_rounds(&self) -> usize {
-        (self.rounds / 3).max(1)
+        (self.rounds / 5).max(1)
     }
 }
 

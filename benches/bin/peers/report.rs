@@ -170,7 +170,7 @@ impl Report {
         )
     }
 
-    pub(crate) fn json(&self, head: Value) -> Value {
+    pub(crate) fn json(&self, head: &Value) -> Value {
         let rows: Vec<Value> = self.rows.iter().map(|row| json!({ "row": row, "met": row.met() })).collect();
         json!({ "run": head, "rows": rows, "data": self.data })
     }
