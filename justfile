@@ -16,9 +16,9 @@ check:
     cargo clippy --workspace --all-targets -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
 
-# Measurements, side by side with other programs; writes benches/RESULTS.md
-bench:
-    benches/compare.sh
+# Measure side by side with CGAL and others (installs CGAL where it may); writes benches/peers.* and benches/RESULTS.md; try --quick
+peers *options:
+    benches/peers.sh {{options}}
 
 # Build, certify and check every surface of the data; writes benches/dataset.* and benches/RESULTS.md (needs the data)
 dataset *meshes:

@@ -11,9 +11,9 @@ use std::time::Duration;
 
 use homeo::mesh::{self, Format, TriMesh};
 use homeo_benches::generate::{sphere, unit_hash};
+use homeo_benches::plot::{self, PowerLaw, Series};
 use homeo_benches::table::Table;
 use homeo_benches::{built, results};
-use plotters::prelude::*;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -58,16 +58,16 @@ fn main() -> Res<ExitCode> {
             }
         }
     }
-    let exponent = exponent(&runs);
+    let law = law(&runs);
     let real = real()?;
     if real.is_empty() {
         println!("SKIPPED: no dataset.json, so no real surfaces in the plot; `just dataset` makes it");
     }
     runs.extend(real);
-    let text = section(&runs, exponent);
+    let text = section(&runs, law);
     println!("{text}");
     if wanted.is_empty() {
-        plot(&runs, exponent)?;
+        plot(&runs, law)?;
         let values = runs.iter().map(serde_json::to_value).collect::<Result<Vec<Value>, _>>()?;
         std::fs::write(results::file("scaling.csv"), results::csv(&KEYS, &values))?;
         results::put("scaling", &text)?;
@@ -133,21 +133,12 @@ fn real() -> Res<Vec<Run>> {
     Ok(out)
 }
 
-/// Least squares in logarithms: `seconds = factor * triangles^exponent`; `None` for fewer than two sizes.
-fn exponent(runs: &[Run]) -> Option<[f64; 2]> {
-    let points: Vec<[f64; 2]> = runs
-        .iter()
-        .filter(|r| r.seconds > 0.0)
-        .map(|r| [(r.triangles as f64).ln(), r.seconds.ln()])
-        .collect();
-    let mean = |i: usize| points.iter().map(|p| p[i]).sum::<f64>() / points.len() as f64;
-    let [x, y] = [mean(0), mean(1)];
-    let spread: f64 = points.iter().map(|p| (p[0] - x).powi(2)).sum();
-    let slope = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum::<f64>() / spread;
-    (points.len() > 1 && slope.is_finite()).then(|| [slope, (y - slope * x).exp()])
+/// The law through the runs.
+fn law(runs: &[Run]) -> Option<PowerLaw> {
+    PowerLaw::fit(&runs.iter().map(|r| [r.triangles as f64, r.seconds]).collect::<Vec<_>>())
 }
 
-fn section(runs: &[Run], exponent: Option<[f64; 2]>) -> String {
+fn section(runs: &[Run], law: Option<PowerLaw>) -> String {
     let mut table = Table::new(&["input", "triangles", "prisms", "build s", "certify s", "peak MiB"]);
     for run in runs {
         table.row(vec![
@@ -159,9 +150,9 @@ fn section(runs: &[Run], exponent: Option<[f64; 2]>) -> String {
             run.peak_mib.map_or_else(|| "-".to_owned(), |m| format!("{m:.0}")),
         ]);
     }
-    let fit = exponent.map_or_else(String::new, |[slope, _]| {
+    let fit = law.map_or_else(String::new, |PowerLaw { exponent, .. }| {
         format!(
-            "Over the generated spheres the time grows with the power {slope:.2} of the number of triangles. "
+            "Over the generated spheres the time grows with the power {exponent:.2} of the number of triangles. "
         )
     });
     format!(
@@ -173,43 +164,11 @@ fn section(runs: &[Run], exponent: Option<[f64; 2]>) -> String {
 }
 
 /// Seconds over triangles, both axes logarithmic.
-fn plot(runs: &[Run], exponent: Option<[f64; 2]>) -> Res {
-    let path = results::file("scaling.svg");
-    let root = SVGBackend::new(&path, (800, 500)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let range = |values: &dyn Fn(&Run) -> f64| {
-        let all = || runs.iter().map(values).filter(|v| *v > 0.0);
-        all().fold(f64::INFINITY, f64::min) / 1.5..all().fold(0.0, f64::max) * 1.5
+fn plot(runs: &[Run], law: Option<PowerLaw>) -> Res {
+    let series = |kind: &str, name: &str, fit: Option<PowerLaw>| {
+        let of = runs.iter().filter(|r| r.kind == kind).map(|r| [r.triangles as f64, r.seconds]);
+        Series { name: name.to_owned(), points: of.collect(), fit }
     };
-    let (xs, ys) = (range(&|r| r.triangles as f64), range(&|r| r.seconds));
-    let mut chart = ChartBuilder::on(&root)
-        .caption("homeo build", ("sans-serif", 20))
-        .margin(12)
-        .x_label_area_size(40)
-        .y_label_area_size(60)
-        .build_cartesian_2d(xs.clone().log_scale(), ys.log_scale())?;
-    chart.configure_mesh().x_desc("triangles").y_desc("seconds").draw()?;
-    let points = |kind: &str| {
-        let of = runs.iter().filter(|r| r.kind == kind && r.seconds > 0.0);
-        of.map(|r| (r.triangles as f64, r.seconds)).collect::<Vec<_>>()
-    };
-    for (kind, colour, label) in [("generated", BLUE, "noisy spheres"), ("real", RED, "real surfaces")] {
-        let dots = points(kind).into_iter().map(|p| Circle::new(p, 4, colour.filled()));
-        let legend = move |(x, y)| Circle::new((x + 10, y), 4, colour.filled());
-        chart.draw_series(dots)?.label(label).legend(legend);
-    }
-    if let Some([slope, factor]) = exponent {
-        let line = [xs.start, xs.end].map(|x| (x, factor * x.powf(slope)));
-        let legend = |(x, y)| PathElement::new(vec![(x, y), (x + 20, y)], BLUE);
-        let label = format!("fit to the spheres: power {slope:.2}");
-        chart.draw_series(LineSeries::new(line, BLUE))?.label(label).legend(legend);
-    }
-    chart
-        .configure_series_labels()
-        .border_style(BLACK)
-        .background_style(WHITE)
-        .position(SeriesLabelPosition::UpperLeft)
-        .draw()?;
-    root.present()?;
-    Ok(())
+    let both = [series("generated", "noisy spheres", law), series("real", "real surfaces", None)];
+    plot::log_log(&results::file("scaling.svg"), "homeo build", ["triangles", "seconds"], &both)
 }

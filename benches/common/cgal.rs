@@ -81,6 +81,14 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// The pairs in what a program says.
+    #[must_use]
+    pub fn parse(program: &str, text: &str) -> Self {
+        let pair = |word: &str| word.split_once('=').map(|(k, v)| (k.to_owned(), v.to_owned()));
+        let values = text.split_whitespace().filter_map(pair).collect();
+        Self { program: program.to_owned(), text: text.to_owned(), values }
+    }
+
     /// The number of this key.
     ///
     /// # Errors
@@ -119,8 +127,6 @@ impl Cgal {
             let text = String::from_utf8_lossy(&output.stderr).trim().to_owned();
             return Err(CgalError::Failed { program: program.to_owned(), text });
         }
-        let pair = |word: &str| word.split_once('=').map(|(k, v)| (k.to_owned(), v.to_owned()));
-        let values = text.split_whitespace().filter_map(pair).collect();
-        Ok(Answer { program: program.to_owned(), text, values })
+        Ok(Answer::parse(program, &text))
     }
 }

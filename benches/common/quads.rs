@@ -11,9 +11,9 @@ pub type Quad = [[f64; 3]; 4];
 pub enum Kind {
     /// Random points of the unit cube.
     Random,
-    /// Corners of a parallelogram with 48-bit coordinates, one coordinate moved by one ulp.
+    /// Corners of a parallelogram with 50-bit coordinates, one coordinate moved by one ulp.
     OneUlp,
-    /// Corners of a parallelogram with 48-bit coordinates.
+    /// Corners of a parallelogram with 50-bit coordinates.
     Coplanar,
 }
 
@@ -26,8 +26,8 @@ impl Kind {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Random => "random",
-            Self::OneUlp => "one ulp off",
-            Self::Coplanar => "exactly coplanar",
+            Self::OneUlp => "one ulp off (50 bits)",
+            Self::Coplanar => "exactly coplanar (50 bits)",
         }
     }
 }
@@ -41,8 +41,8 @@ pub fn quads(kind: Kind, count: usize) -> Vec<Quad> {
         if kind == Kind::Random {
             return [0, 1, 2, 3].map(point);
         }
-        // Whole numbers below 2^48: b + c - a is exact, and the four points are exactly coplanar.
-        let whole = |p: [f64; 3]| p.map(|x| (x * 281_474_976_710_656.0).floor());
+        // Whole numbers below 2^50: b + c - a is exact, and the four points are exactly coplanar.
+        let whole = |p: [f64; 3]| p.map(|x| (x * 1_125_899_906_842_624.0).floor());
         let [a, b, c] = [0, 1, 2].map(|i| whole(point(i)));
         let mut d = [0, 1, 2].map(|i| b[i] + c[i] - a[i]);
         if kind == Kind::OneUlp {
@@ -87,6 +87,35 @@ pub fn robust(quad: &Quad) -> i8 {
     negated(robust::orient3d(a, b, c, d))
 }
 
+/// That of the crate `geogram_predicates`.
+#[must_use]
+#[inline]
+pub fn geogram([a, b, c, d]: &Quad) -> i8 {
+    match geogram_predicates::orient_3d(a, b, c, d) {
+        geogram_predicates::Sign::Negative => -1,
+        geogram_predicates::Sign::Zero => 0,
+        geogram_predicates::Sign::Positive => 1,
+    }
+}
+
+/// The textbook formula in doubles: what exactness costs is the time beyond it.
+#[must_use]
+#[inline]
+pub fn plain([a, b, c, d]: &Quad) -> i8 {
+    let minus = |p: &[f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+    let [u, v, w] = [minus(b), minus(c), minus(d)];
+    -negated(
+        u[0] * (v[1] * w[2] - v[2] * w[1])
+            + u[1] * (v[2] * w[0] - v[0] * w[2])
+            + u[2] * (v[0] * w[1] - v[1] * w[0]),
+    )
+}
+
 /// All implementations, homeo's first.
-pub const IMPLEMENTATIONS: [(&str, Implementation); 3] =
-    [("homeo", ours), ("geometry-predicates", geometry_predicates), ("robust", robust)];
+pub const IMPLEMENTATIONS: [(&str, Implementation); 5] = [
+    ("homeo", ours),
+    ("geometry-predicates", geometry_predicates),
+    ("robust", robust),
+    ("geogram_predicates", geogram),
+    ("plain f64", plain),
+];

@@ -15,7 +15,18 @@ use crate::generate::Generated;
 /// # Errors
 /// The pool cannot be built.
 pub fn on_one_thread<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, rayon::ThreadPoolBuildError> {
-    Ok(rayon::ThreadPoolBuilder::new().num_threads(1).build()?.install(work))
+    on_threads(1, work)
+}
+
+/// Runs `work` in a pool of so many threads.
+///
+/// # Errors
+/// The pool cannot be built.
+pub fn on_threads<T: Send>(
+    threads: usize,
+    work: impl FnOnce() -> T + Send,
+) -> Result<T, rayon::ThreadPoolBuildError> {
+    Ok(rayon::ThreadPoolBuilder::new().num_threads(threads).build()?.install(work))
 }
 
 /// A count that a claim's result states; 0 if it does not.
@@ -65,6 +76,20 @@ pub fn whole(input: &Generated) -> Result<(Outcome, f64), CertifyError> {
     let start = Instant::now();
     let outcome = certify(&input.shell, Some(&input.mesh), &Options::default(), &Silent)?;
     Ok((outcome, start.elapsed().as_secs_f64()))
+}
+
+/// The bytes of the coordinates (8 each) and indices (4 each) of a shell and a mesh: the smallest size of the input that
+/// anything can be compared with.
+#[must_use]
+pub fn input_bytes(input: &Generated) -> usize {
+    let coordinates = 3 * (3 * input.shell.vertex_count() + input.mesh.vertices.len());
+    8 * coordinates + 4 * 3 * (input.shell.faces.len() + input.mesh.faces.len())
+}
+
+/// Forgets the largest memory so far, where the system can; [`peak_memory`] then begins with what is resident now.
+pub fn reset_peak_memory() {
+    // Where this is not possible the peak is that of the whole process, which is more: never in our favour.
+    let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
 
 /// The bytes of the files that a checker is given: bottom, middle, top, mesh.

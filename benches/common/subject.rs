@@ -1,11 +1,14 @@
-//! A CGAL program of `reference/cgal` that stays and answers batches: doubles in, bytes or lines out
-//! (`docs/SUBJECTS.md`).
+//! A program that stays and answers batches: doubles in, bytes or lines out (`docs/SUBJECTS.md`), or that works once for
+//! every line `run` (`reference/cgal/serve.hpp`).
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-use crate::cgal::CgalError;
+use crate::cgal::{Answer, CgalError};
+
+/// Bytes that are written at once, so that no copy of all data is made.
+const CHUNK: usize = 1 << 20;
 
 /// A running program. It ends when this value goes away.
 #[derive(Debug)]
@@ -22,16 +25,19 @@ impl Subject {
     /// # Errors
     /// It cannot be started.
     pub fn start(folder: &Path, program: &str, options: &[&str]) -> Result<Self, CgalError> {
-        let failed = |source| CgalError::Io { what: program.to_owned(), source };
-        let mut child = Command::new(folder.join(program))
-            .args(options)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(failed)?;
+        let name = [&[program], options].concat().join(" ");
+        Self::spawn(name, Command::new(folder.join(program)).args(options))
+    }
+
+    /// Starts a program, which is called `name` in errors.
+    ///
+    /// # Errors
+    /// It cannot be started.
+    pub fn spawn(name: String, command: &mut Command) -> Result<Self, CgalError> {
+        let failed = |source| CgalError::Io { what: name.clone(), source };
+        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().map_err(failed)?;
         let input = child.stdin.take();
         let output = child.stdout.take().ok_or_else(|| failed(std::io::ErrorKind::BrokenPipe.into()))?;
-        let name = [&[program], options].concat().join(" ");
         Ok(Self { name, child, input, output: BufReader::new(output) })
     }
 
@@ -58,6 +64,48 @@ impl Subject {
     /// The program is gone.
     pub fn send_line(&mut self, line: &str) -> Result<(), CgalError> {
         self.write(format!("{line}\n").as_bytes())
+    }
+
+    /// Sends numbers alone, little-endian.
+    ///
+    /// # Errors
+    /// The program is gone.
+    pub fn send_numbers(&mut self, numbers: &[f64]) -> Result<(), CgalError> {
+        numbers
+            .chunks(CHUNK / 8)
+            .try_for_each(|part| self.write(&part.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>()))
+    }
+
+    /// Sends indices alone, little-endian.
+    ///
+    /// # Errors
+    /// The program is gone.
+    pub fn send_indices(&mut self, indices: &[u32]) -> Result<(), CgalError> {
+        indices
+            .chunks(CHUNK / 4)
+            .try_for_each(|part| self.write(&part.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>()))
+    }
+
+    /// Waits for the line `ready`.
+    ///
+    /// # Errors
+    /// The program ended, or says something else.
+    pub fn ready(&mut self) -> Result<(), CgalError> {
+        let line = self.line()?;
+        if line == "ready" {
+            return Ok(());
+        }
+        Err(CgalError::Failed { program: self.name.clone(), text: line })
+    }
+
+    /// Has the program work once.
+    ///
+    /// # Errors
+    /// The program ended.
+    pub fn turn(&mut self) -> Result<Answer, CgalError> {
+        self.send_line("run")?;
+        let line = self.line()?;
+        Ok(Answer::parse(&self.name, &line))
     }
 
     fn write(&mut self, bytes: &[u8]) -> Result<(), CgalError> {

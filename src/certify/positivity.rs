@@ -60,8 +60,16 @@ pub(crate) fn decide(shell: &Shell, observer: &dyn Observer) -> Result<Positivit
 /// Some prisms, the first of which is given: whole blocks by a common bound, then one by one what this leaves open.
 fn prisms(level: Level, shell: &Shell, first: usize, faces: &[[u32; 3]], out: &mut Positivity) {
     let (blocks, _) = faces.as_chunks::<LANES>();
-    let clear: Vec<[bool; LANES]> =
-        level.run(|| blocks.iter().map(|block| all_positive(shell, block)).collect());
+    let mut clear = vec![[false; LANES]; blocks.len()];
+    // Inlined, as what is called would be compiled without the instructions of the level.
+    level.run(
+        #[inline(always)]
+        || {
+            for (clear, block) in clear.iter_mut().zip(blocks) {
+                *clear = all_positive(shell, block);
+            }
+        },
+    );
     let clear = clear.as_flattened();
     for i in 0..faces.len() {
         if clear.get(i) == Some(&true) {

@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::error::Error;
 
 use homeo::mesh::TriMesh;
-use homeo::projection::{Projection, ProjectionError, Rat, ShellPoint};
+use homeo::projection::{Projection, ProjectionError, Rat};
 use homeo::shell::{Layer, Shell, VertexOrder, hdf5};
 use homeo_benches::cgal::Cgal;
 use homeo_benches::generate::{offset_shell, sphere};
+use homeo_benches::prism;
 use homeo_benches::random::Random;
 use homeo_benches::real;
 use homeo_benches::subject::Subject;
@@ -129,18 +130,18 @@ impl Job<'_> {
             let n = BATCH.min(left);
             left -= n;
             let cases: Vec<(u32, [f64; 3])> = (0..n).map(|_| self.case()).collect();
-            let numbers: Vec<Vec<f64>> = cases.iter().map(|(prism, p)| self.numbers(*prism, p)).collect();
+            let numbers: Vec<Vec<f64>> = cases.iter().map(|(id, p)| self.numbers(*id, p)).collect();
             for subject in subjects.iter_mut() {
                 subject.send("projection", n, &numbers.concat())?;
             }
-            let ours = cases.iter().map(|(prism, p)| self.answer(*prism, p));
+            let ours = cases.iter().map(|(id, p)| self.answer(*id, p));
             for ((mask, images), numbers) in ours.collect::<Result<Vec<_>, _>>()?.iter().zip(&numbers) {
                 counts[0] += 1;
                 counts[1] += u64::from(*mask != 0);
                 counts[2] += u64::from(mask.count_ones() > 1);
                 for subject in subjects.iter_mut() {
                     let text = subject.line()?;
-                    if parse(&text) != Some((*mask, images.clone())) {
+                    if prism::parse(&text) != Some((*mask, images.clone())) {
                         counts[3] += 1;
                         let case = line("projection", numbers);
                         let name = subject.name();
@@ -152,18 +153,9 @@ impl Job<'_> {
         Ok(counts)
     }
 
-    /// The corners of a prism in vertex order.
-    fn corners(&self, prism: u32) -> [u32; 3] {
-        let mut corners = self.input.shell.faces[prism as usize];
-        corners.sort_by_key(|&v| self.ranks[v as usize]);
-        corners
-    }
-
-    fn numbers(&self, prism: u32, p: &[f64; 3]) -> Vec<f64> {
-        let corners = self.corners(prism);
-        let layers = [Layer::Bottom, Layer::Middle, Layer::Top].into_iter();
-        let points = layers.flat_map(|layer| corners.map(|v| self.input.shell.layer(layer)[v as usize]));
-        points.chain([*p]).flatten().collect()
+    fn numbers(&self, id: u32, p: &[f64; 3]) -> Vec<f64> {
+        let corners = prism::corners(&self.input.shell, &self.ranks, id);
+        prism::numbers(&self.input.shell, corners, p)
     }
 
     /// A prism and a point in or near it.
@@ -202,12 +194,12 @@ impl Job<'_> {
     }
 
     /// The mask of the prism's tets that hold the point, and the different images in this prism.
-    fn answer(&self, prism: u32, p: &[f64; 3]) -> Result<(u8, BTreeSet<String>), Box<dyn Error>> {
-        let corners = self.corners(prism);
+    fn answer(&self, id: u32, p: &[f64; 3]) -> Result<(u8, BTreeSet<String>), Box<dyn Error>> {
+        let corners = prism::corners(&self.input.shell, &self.ranks, id);
         let mut mask = 0;
         for location in self.projection.locate_f64(p) {
             let tet = self.projection.tets()[location.tet as usize];
-            if tet.prism == prism {
+            if tet.prism == id {
                 let place = corners.iter().position(|&v| v == tet.pillar).ok_or("a tet without a pillar")?;
                 let slab = usize::from(tet.slab.hi() == Layer::Top);
                 mask |= 1 << (3 * slab + 2 - place);
@@ -217,25 +209,7 @@ impl Job<'_> {
         let exact = [x, y, z].map(|x| x.map_err(|_| "a point that is not finite"));
         let [x, y, z] = exact;
         let images = self.projection.project_all(&[x?, y?, z?]);
-        Ok((mask, images.iter().filter_map(|image| self.written(image, corners)).collect()))
+        let written = |image| prism::written(&self.input.shell, image, corners);
+        Ok((mask, images.iter().filter_map(written).collect()))
     }
-
-    /// The image with weights on these corners, if all its weight is there.
-    fn written(&self, image: &ShellPoint, corners: [u32; 3]) -> Option<String> {
-        let own = self.input.shell.faces[image.prism as usize];
-        let inside = own.iter().zip(&image.weights).all(|(v, w)| corners.contains(v) || *w == Rat::ZERO);
-        let weight =
-            |v: u32| own.iter().position(|&o| o == v).map_or(Rat::ZERO, |k| image.weights[k].clone());
-        let [a, b, c] = corners.map(weight);
-        inside.then(|| format!("{a} {b} {c} {}", image.height))
-    }
-}
-
-/// A program's answer: the mask, then four numbers an image. `None` for anything else.
-fn parse(text: &str) -> Option<(u8, BTreeSet<String>)> {
-    let mut words = text.split(' ');
-    let mask = words.next()?.parse().ok()?;
-    let rest: Vec<&str> = words.collect();
-    let images = rest.chunks(4).map(|four| (four.len() == 4).then(|| four.join(" ")));
-    Some((mask, images.collect::<Option<_>>()?))
 }

@@ -101,12 +101,25 @@ pub fn orient3d_at(
 ) -> Result<StageCounts, BatchError> {
     check_lengths(&points, signs.len())?;
     let [a, b, c, d] = points;
-    let filter = |i: usize| {
-        let from = a.block(i);
-        filter3(&minus(&b.block(i), &from), &minus(&c.block(i), &from), &minus(&d.block(i), &from))
-    };
     let exact = |i: usize| orient3d_staged(&a.at(i), &b.at(i), &c.at(i), &d.at(i));
-    Ok(level.run(|| all(signs, filter, exact)))
+    Ok(level.run(
+        #[inline(always)]
+        || {
+            all(
+                signs,
+                #[inline(always)]
+                |i: usize| {
+                    let from = a.block(i);
+                    filter3(
+                        &minus(&b.block(i), &from),
+                        &minus(&c.block(i), &from),
+                        &minus(&d.block(i), &from),
+                    )
+                },
+                exact,
+            )
+        },
+    ))
 }
 
 /// The signs of [`dot_sign`](super::dot_sign) of the points `a, b, c, s, t` of every input. Linear; one thread.
@@ -128,12 +141,25 @@ pub fn dot_sign_at(
 ) -> Result<StageCounts, BatchError> {
     check_lengths(&points, signs.len())?;
     let [a, b, c, s, t] = points;
-    let filter = |i: usize| {
-        let from = a.block(i);
-        filter3(&minus(&b.block(i), &from), &minus(&c.block(i), &from), &minus(&t.block(i), &s.block(i)))
-    };
     let exact = |i: usize| dot_sign_staged(&a.at(i), &b.at(i), &c.at(i), &s.at(i), &t.at(i));
-    Ok(level.run(|| all(signs, filter, exact)))
+    Ok(level.run(
+        #[inline(always)]
+        || {
+            all(
+                signs,
+                #[inline(always)]
+                |i: usize| {
+                    let from = a.block(i);
+                    filter3(
+                        &minus(&b.block(i), &from),
+                        &minus(&c.block(i), &from),
+                        &minus(&t.block(i), &s.block(i)),
+                    )
+                },
+                exact,
+            )
+        },
+    ))
 }
 
 /// [`orient3d`] of inputs that are four indices of vertices.
@@ -159,15 +185,24 @@ pub fn orient3d_indexed_at(
     signs: &mut [Sign],
 ) -> Result<StageCounts, BatchError> {
     check_indices(vertices.len(), inputs, signs.len())?;
-    let filter = |i: usize| {
-        let [a, b, c, d] = gather(vertices, &inputs[i..i + LANES]);
-        filter3(&minus(&b, &a), &minus(&c, &a), &minus(&d, &a))
-    };
     let exact = |i: usize| {
         let [a, b, c, d] = inputs[i].map(|v| &vertices[v as usize]);
         orient3d_staged(a, b, c, d)
     };
-    Ok(level.run(|| all(signs, filter, exact)))
+    Ok(level.run(
+        #[inline(always)]
+        || {
+            all(
+                signs,
+                #[inline(always)]
+                |i: usize| {
+                    let [a, b, c, d] = gather(vertices, &inputs[i..i + LANES]);
+                    filter3(&minus(&b, &a), &minus(&c, &a), &minus(&d, &a))
+                },
+                exact,
+            )
+        },
+    ))
 }
 
 /// [`dot_sign`] of inputs that are five indices of vertices.
@@ -193,15 +228,24 @@ pub fn dot_sign_indexed_at(
     signs: &mut [Sign],
 ) -> Result<StageCounts, BatchError> {
     check_indices(vertices.len(), inputs, signs.len())?;
-    let filter = |i: usize| {
-        let [a, b, c, s, t] = gather(vertices, &inputs[i..i + LANES]);
-        filter3(&minus(&b, &a), &minus(&c, &a), &minus(&t, &s))
-    };
     let exact = |i: usize| {
         let [a, b, c, s, t] = inputs[i].map(|v| &vertices[v as usize]);
         dot_sign_staged(a, b, c, s, t)
     };
-    Ok(level.run(|| all(signs, filter, exact)))
+    Ok(level.run(
+        #[inline(always)]
+        || {
+            all(
+                signs,
+                #[inline(always)]
+                |i: usize| {
+                    let [a, b, c, s, t] = gather(vertices, &inputs[i..i + LANES]);
+                    filter3(&minus(&b, &a), &minus(&c, &a), &minus(&t, &s))
+                },
+                exact,
+            )
+        },
+    ))
 }
 
 fn check_lengths(points: &[Points<'_>], wanted: usize) -> Result<(), BatchError> {
@@ -237,6 +281,9 @@ fn check_indices<const N: usize>(
     };
     inputs.iter().enumerate().find_map(first).map_or(Ok(()), Err)
 }
+
+// The closures above are `inline(always)`: code that is called and not inlined is compiled for what every processor has, so
+// that the chosen level would be without effect.
 
 /// All signs: blocks through the filter, then one by one what it left open, and the tail.
 #[inline(always)]

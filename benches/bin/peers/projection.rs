@@ -1,0 +1,160 @@
+//! The projection of a point: exact against CGAL's exact constructions, and in doubles against the exact one.
+
+use std::collections::BTreeSet;
+use std::hint::black_box;
+use std::time::Instant;
+
+use homeo::projection::{Projection, Rat};
+use homeo::shell::VertexOrder;
+use homeo_benches::generate::{offset_shell, sphere};
+use homeo_benches::prism;
+use homeo_benches::random::Random;
+use homeo_benches::ratio::{Side, take_turns};
+use homeo_benches::subject::Subject;
+
+use crate::error::{PeersError, Res};
+use crate::plan::{NOT_BUILT, Plan};
+use crate::report::{Asked, Report, Row};
+
+/// A program of exact constructions: what it is, its options, and what is asked against it.
+const CGAL: [(&str, &[&str], f64); 4] = [
+    ("CGAL Gmpq, field followed", &["--gmpq"], 20.0),
+    ("CGAL Gmpq, barycentric sums", &["--gmpq", "--sums"], 20.0),
+    ("CGAL EPECK forced exact, field followed", &[], 10.0),
+    ("CGAL EPECK forced exact, barycentric sums", &["--sums"], 10.0),
+];
+
+pub(crate) fn run(plan: &Plan, report: &mut Report) -> Res {
+    let shell = offset_shell(&sphere(plan.options.size(50, 12)), 0.3);
+    let projection = Projection::new(&shell, &VertexOrder::Id)?;
+    let cases = cases(&projection, plan.options.size(2_000, 200));
+    exact(plan, &projection, &cases, report)?;
+    float(plan, &projection, &cases, report)
+}
+
+/// A point, and a prism that holds it.
+type Case = (u32, [f64; 3]);
+
+/// Points anywhere in random tets.
+fn cases(projection: &Projection<'_>, count: usize) -> Vec<Case> {
+    let mut random = Random(4);
+    let tets = projection.tets();
+    let case = |_| {
+        let tet = tets[random.below(tets.len())];
+        let corners = tet.names.map(|name| *projection.shell().position(name));
+        let parts = [0; 4].map(|_| random.unit());
+        let sum: f64 = parts.iter().sum();
+        let p = [0, 1, 2].map(|axis| (0..4).map(|k| parts[k] / sum * corners[k][axis]).sum::<f64>());
+        (tet.prism, p)
+    };
+    // Rounding may move a point out of its tet, and even out of the shell.
+    (0..count).map(case).filter(|(_, p)| projection.is_inside_f64(p)).collect()
+}
+
+fn exact(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
+    let what = "exact projection of a point";
+    let shell = projection.shell();
+    let ranks = VertexOrder::Id.ranks(shell.vertex_count());
+    let mut answers = Vec::new();
+    let mut numbers = Vec::new();
+    for (id, p) in cases {
+        let corners = prism::corners(shell, &ranks, *id);
+        let [x, y, z] = p.map(|x| Rat::try_from(x).unwrap_or(Rat::ZERO));
+        let images = projection.project_all(&[x, y, z]);
+        answers.push(
+            images.iter().filter_map(|i| prism::written(shell, i, corners)).collect::<BTreeSet<String>>(),
+        );
+        numbers.extend(prism::numbers(shell, corners, p));
+    }
+    let mut sides: Vec<Side<'_, PeersError>> = vec![Box::new(|| {
+        let start = Instant::now();
+        cases.iter().for_each(|(_, p)| drop(black_box(projection.project_exactly(black_box(p)))));
+        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
+    })];
+    if let Some(cgal) = &plan.cgal {
+        for (_, options, _) in CGAL {
+            let mut subject = Subject::start(&cgal.0, "projection", options)?;
+            let (answers, numbers) = (&answers, &numbers);
+            sides.push(Box::new(move || {
+                subject.send("timed", answers.len(), numbers)?;
+                let first = subject.line()?;
+                let seconds: Option<f64> = first.strip_prefix("seconds=").and_then(|s| s.parse().ok());
+                for (i, wanted) in answers.iter().enumerate() {
+                    let line = subject.line()?;
+                    if prism::parse(&line).map(|(_, images)| images).as_ref() != Some(wanted) {
+                        let what = format!("point {i}: {line}, not {wanted:?}");
+                        return Err(PeersError::Disagrees { who: subject.name().to_owned(), what });
+                    }
+                }
+                let text = format!("no time in `{first}`");
+                let none = PeersError::Program { program: "projection", argument: options.join(" "), text };
+                Ok(seconds.ok_or(none)? / answers.len() as f64)
+            }));
+        }
+    }
+    let times = take_turns(plan.options.rounds, true, &mut sides)?;
+    for (k, (name, _, factor)) in CGAL.into_iter().enumerate() {
+        let asked = Some(Asked::AtLeast(factor));
+        report.row(match times.get(k + 1) {
+            Some(theirs) => Row::ratio(what, name, asked, theirs, &times[0]),
+            None => Row::absent(what, name, asked, NOT_BUILT),
+        });
+    }
+    Ok(())
+}
+
+/// Ways to project in doubles; to be compared with the exact one.
+fn float(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
+    let single: Side<'_, PeersError> = Box::new(|| {
+        let start = Instant::now();
+        for (_, p) in cases {
+            black_box(projection.project_f64(black_box(p)));
+        }
+        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
+    });
+    let exact: Side<'_, PeersError> = Box::new(|| {
+        let start = Instant::now();
+        cases.iter().for_each(|(_, p)| drop(black_box(projection.project_exactly(black_box(p)))));
+        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
+    });
+    let mut worst = [0.0, 0.0];
+    for (_, p) in cases {
+        for (w, x) in worst.iter_mut().zip(error(projection, p)?) {
+            *w = f64::max(*w, x);
+        }
+    }
+    let times = take_turns(plan.options.rounds, true, &mut [single, exact])?;
+    let meaning =
+        format!("largest error / its stated bound; {} points, largest error {:.1e}", cases.len(), worst[1]);
+    let (what, own) = ("f64 projection", "own exact path");
+    report.row(Row::value("f64 projection: error", own, Some(Asked::AtMost(1.0)), worst[0], &meaning));
+    report.row(Row::ratio(&format!("{what}, one point"), own, None, &times[1], &times[0]));
+    report.row(Row::absent(&format!("{what}, batched"), own, None, "not built yet"));
+    Ok(())
+}
+
+/// The largest error of the four numbers, as a share of the stated bound, and itself. Both are computed exactly and then
+/// rounded to doubles.
+fn error(projection: &Projection<'_>, p: &[f64; 3]) -> Res<[f64; 2]> {
+    let wrong = |what: &str| PeersError::Disagrees {
+        who: "f64 projection".to_owned(),
+        what: format!("{p:?}: {what}"),
+    };
+    let (Some(exact), Some(float)) = (projection.project_exactly(p), projection.project_f64(p)) else {
+        return Err(wrong("no image"));
+    };
+    if exact.prism != float.prism {
+        return Err(wrong("another prism"));
+    }
+    let pairs = exact.weights.iter().zip(float.weights).chain([(&exact.height, float.height)]);
+    let mut largest = Rat::ZERO;
+    for (exact, float) in pairs {
+        let difference = Rat::try_from(float).map_err(|_| wrong("not finite"))? - exact;
+        largest = largest.max(if difference < Rat::ZERO { -difference } else { difference });
+    }
+    let bound = Rat::try_from(float.error).map_err(|_| wrong("a bound that is not finite"))?;
+    if largest > bound {
+        return Err(wrong("an error above its bound"));
+    }
+    Ok([(&largest / bound).to_f64().value(), largest.to_f64().value()])
+}
