@@ -66,7 +66,8 @@ pub struct ClaimResult {
     pub claim: Claim,
     /// Its verdict.
     pub verdict: Verdict,
-    /// Wall-clock seconds spent on it beyond those of the claims before.
+    /// Wall-clock seconds spent on it beyond those of the claims before. `section` and `disjoint` are decided at the same
+    /// time, so that their sum may exceed the time of the whole.
     pub seconds: f64,
     /// Counts.
     pub counts: Vec<Count>,
@@ -118,13 +119,6 @@ pub(crate) enum Implied<T> {
 }
 
 impl Facts {
-    fn lifts(&self) -> Option<&[Lift]> {
-        match &self.section {
-            Some(Section::Certified(lifts)) => Some(lifts),
-            _ => None,
-        }
-    }
-
     /// The verdict on a claim that was decided.
     pub(crate) fn verdict(&self, claim: Claim) -> Option<Verdict> {
         let holds = match claim {
@@ -219,24 +213,31 @@ fn about_mesh(
         connectivity: valid.connectivity(),
         boundary: &edge,
     };
-    if wanted.contains(&Claim::Section) {
+    let both = wanted.contains(&Claim::Section) && wanted.contains(&Claim::Disjoint);
+    let (about, total) = match wanted.contains(&Claim::Section) {
+        true if both => ("section, disjoint", None),
+        true => ("section", None),
+        false => ("disjoint", Some(3 * mesh.faces.len() as u64)),
+    };
+    observer.stage(about, total);
+    let lift = || -> Result<_, CertifyError> {
         let ranks = subject.order.ranks(shell.middle.len());
         let complex = TetComplex::new(shell, &middle, &wall, &ranks);
-        let cx = Lifting { mesh: &mesh, complex: &complex };
-        observer.stage("section", None);
-        facts.section = Some(seconds.of(Claim::Section, || section::decide(cx, observer))?);
-        if wanted.contains(&Claim::SectionAllOrders) {
-            observer.stage("section-all-orders", None);
-            let answer =
-                seconds.of(Claim::SectionAllOrders, || all_orders(cx, facts, subject.order, observer))?;
-            facts.all_orders = Some(answer);
-        }
+        lifted(Lifting { mesh: &mesh, complex: &complex }, subject.order, wanted, facts, observer)
+    };
+    let apart = || Seconds::measured(Claim::Disjoint, || disjoint_from_all(&mesh, shell, observer));
+    // A lift is sequential; beside it another thread has work that is about as long.
+    let (lifts, parts) = rayon::join(
+        || wanted.contains(&Claim::Section).then(lift),
+        || wanted.contains(&Claim::Disjoint).then(apart),
+    );
+    if let Some((section, all_orders, spent)) = lifts.transpose()? {
+        (facts.section, facts.all_orders) = (Some(section), all_orders);
+        seconds.0.extend(spent.0);
     }
-    if wanted.contains(&Claim::Disjoint) {
-        observer.stage("disjoint", Some(3 * mesh.faces.len() as u64));
-        let [a, b, c] = [About::Mesh, About::Bottom, About::Top]
-            .map(|about| seconds.of(Claim::Disjoint, || disjoint::decide(&mesh, shell, about, observer)));
-        facts.disjoint = Some([a?, b?, c?]);
+    if let Some((parts, spent)) = parts {
+        facts.disjoint = Some(parts?);
+        seconds.0.extend(spent.0);
     }
     if wanted.contains(&Claim::I2) {
         observer.stage("i2", Some(mesh.faces.len() as u64));
@@ -245,19 +246,36 @@ fn about_mesh(
     Ok(())
 }
 
-fn all_orders(
+/// The claims about a lift, and the time for each.
+fn lifted(
     cx: Lifting<'_>,
-    facts: &Facts,
     order: &VertexOrder,
+    wanted: &BTreeSet<Claim>,
+    before: &Facts,
     observer: &dyn Observer,
-) -> Result<Implied<AllOrders>, CertifyError> {
-    if facts.verdict(Claim::Positivity) == Some(Verdict::Refuted) {
-        return Ok(Implied::Refuted(Claim::Positivity));
+) -> Result<(Section, Option<Implied<AllOrders>>, Seconds), CertifyError> {
+    let mut seconds = Seconds::default();
+    let section = seconds.of(Claim::Section, || section::decide(cx, observer))?;
+    if !wanted.contains(&Claim::SectionAllOrders) {
+        return Ok((section, None, seconds));
     }
-    match facts.lifts() {
-        None => Ok(Implied::Refuted(Claim::Section)),
-        Some(lifts) => orders::decide(cx, lifts, order, observer).map(Implied::Decided),
-    }
+    let all_orders = seconds.of(Claim::SectionAllOrders, || match &section {
+        _ if before.verdict(Claim::Positivity) == Some(Verdict::Refuted) => {
+            Ok(Implied::Refuted(Claim::Positivity))
+        }
+        Section::Refuted(_) => Ok(Implied::Refuted(Claim::Section)),
+        Section::Certified(lifts) => orders::decide(cx, lifts, order, observer).map(Implied::Decided),
+    })?;
+    Ok((section, Some(all_orders), seconds))
+}
+
+fn disjoint_from_all(
+    mesh: &MeshView<'_>,
+    shell: &Shell,
+    observer: &dyn Observer,
+) -> Result<[Disjoint; 3], CertifyError> {
+    let decide = |about| disjoint::decide(mesh, shell, about, observer);
+    Ok([decide(About::Mesh)?, decide(About::Bottom)?, decide(About::Top)?])
 }
 
 fn contacts(
@@ -282,6 +300,12 @@ fn contacts(
 struct Seconds(Vec<(Claim, f64)>);
 
 impl Seconds {
+    /// The result of some work, and the time that it took.
+    fn measured<T>(claim: Claim, work: impl FnOnce() -> T) -> (T, Self) {
+        let mut seconds = Self::default();
+        (seconds.of(claim, work), seconds)
+    }
+
     fn of<T>(&mut self, claim: Claim, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let out = work();
