@@ -1,11 +1,14 @@
 //! Runs random cases against the clock, and compares the certifier's verdicts with the oracle's.
 
 use std::collections::BTreeMap;
-use std::env;
+use std::num::NonZero;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
+use std::{env, thread};
 
 use homeo::certify::{CertifyError, Claim, Options, Outcome, Silent, Verdict, certify};
-use proptest::test_runner::{Config, TestRunner};
+use proptest::test_runner::{Config, TestCaseError, TestError, TestRunner};
 
 use crate::oracle::World;
 use crate::oracle::lift::{Section, failing_order, section};
@@ -15,49 +18,62 @@ use crate::recipe::{Case, Recipe, recipes};
 pub type Tally = BTreeMap<String, u64>;
 
 /// Cases between two looks at the clock.
-const BATCH: u32 = 64;
+const BATCH: u64 = 64;
 
-/// Runs a property on random recipes: on `HOMEO_CASES` many when that is set, else for `seconds`.
+/// Runs a property on random recipes: on `HOMEO_CASES` many when that is set, by all cores and with a line every now and
+/// then, else for `seconds` on one core (other tests run beside it).
 ///
 /// # Panics
 /// With the smallest recipe found that fails, and its case; if nearly all cases are noted as refused.
-pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>, String>) {
-    let wanted: Option<u32> =
+pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>, String> + Sync) {
+    let wanted: Option<u64> =
         env::var("HOMEO_CASES").ok().map(|n| n.parse().expect("HOMEO_CASES is a number"));
     let deadline = wanted.is_none().then(|| Instant::now() + Duration::from_secs(seconds));
-    let config = Config {
-        cases: wanted.unwrap_or(10_000_000),
-        failure_persistence: None,
-        max_shrink_iters: 2000,
-        ..Config::default()
-    };
-    let tally = std::cell::RefCell::new(Tally::new());
-    let counted = std::cell::RefCell::new(0u64);
+    let workers = wanted.map_or(1, |_| thread::available_parallelism().map_or(1, NonZero::get));
+    let begun = AtomicU64::new(0);
+    let all = Mutex::new((0, Tally::new()));
     let over = || deadline.is_some_and(|d| Instant::now() > d);
-    let mut done = 0;
-    while done < config.cases && !over() {
-        // A runner counts its successes over all its runs: a new one for each batch.
-        let mut runner = TestRunner::new(Config { cases: BATCH, ..config.clone() });
-        let result = runner.run(&recipes(), |recipe| {
-            if over() {
-                return Ok(());
+    let work = || {
+        while !over() && begun.fetch_add(BATCH, Ordering::Relaxed) < wanted.unwrap_or(u64::MAX) {
+            let (counted, tally) = batch(&property, &over);
+            let mut all = all.lock().expect("no worker has panicked with the lock");
+            all.0 += counted;
+            tally.into_iter().for_each(|(note, n)| *all.1.entry(note).or_default() += n);
+            if wanted.is_some() && all.0 % 16_384 < counted {
+                eprintln!("{} cases", all.0);
             }
-            *counted.borrow_mut() += 1;
-            let notes =
-                property(&recipe, &recipe.build()).map_err(proptest::test_runner::TestCaseError::fail)?;
-            let mut tally = tally.borrow_mut();
-            notes.into_iter().for_each(|n| *tally.entry(n).or_default() += 1);
-            Ok(())
-        });
-        if let Err(error) = result {
-            let proptest::test_runner::TestError::Fail(reason, recipe) = error else { panic!("{error}") };
-            panic!("{reason}\n{recipe:?}\n{:#?}", recipe.build());
         }
-        done += BATCH;
-    }
-    let (counted, tally) = (counted.borrow(), tally.borrow());
+    };
+    // The scope panics when a worker has.
+    thread::scope(|scope| (0..workers).for_each(|_| drop(scope.spawn(work))));
+    let (counted, tally) = all.into_inner().expect("no worker has panicked with the lock");
     eprintln!("{counted} cases: {tally:?}");
-    assert!(is_telling(*counted, &tally), "nearly all cases were refused: {counted} cases, {tally:?}");
+    assert!(is_telling(counted, &tally), "nearly all cases were refused: {counted} cases, {tally:?}");
+}
+
+/// A few cases, and what happened to them. A runner counts its successes over all its runs: a new one for each batch.
+fn batch(
+    property: &impl Fn(&Recipe, &Case) -> Result<Vec<String>, String>,
+    over: &impl Fn() -> bool,
+) -> (u64, Tally) {
+    let cases = u32::try_from(BATCH).expect("a small number");
+    let config = Config { cases, failure_persistence: None, max_shrink_iters: 2000, ..Config::default() };
+    let done = std::cell::RefCell::new((0, Tally::new()));
+    let result = TestRunner::new(config).run(&recipes(), |recipe| {
+        if over() {
+            return Ok(());
+        }
+        done.borrow_mut().0 += 1;
+        let notes = property(&recipe, &recipe.build()).map_err(TestCaseError::fail)?;
+        let tally = &mut done.borrow_mut().1;
+        notes.into_iter().for_each(|n| *tally.entry(n).or_default() += 1);
+        Ok(())
+    });
+    if let Err(error) = result {
+        let TestError::Fail(reason, recipe) = error else { panic!("{error}") };
+        panic!("{reason}\n{recipe:?}\n{:#?}", recipe.build());
+    }
+    done.into_inner()
 }
 
 /// Was the property asked about more than a few of the cases? All inputs refused would satisfy any.
