@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use rustc_hash::FxHashSet;
+
 use super::exact::{Vec3, dot, minus, sign};
 use super::write::joined;
 use crate::number::dyadic::scale_points;
@@ -165,11 +167,17 @@ impl<P: ExactPoint> Pair<'_, P> {
     /// rests on three; inside it, planes through two of its points and one off it cut the remaining sets apart. Where
     /// all points lie in the mesh triangle's plane, lines in that plane do the same one dimension down.
     pub(crate) fn separation(&self) -> Option<Vec<PlaneName>> {
-        let all = self.everything();
-        self.search(&all, 3)
+        self.search(&self.everything(), 3, &mut FxHashSet::default())
     }
 
-    fn search(&self, remainder: &[usize], depth: usize) -> Option<Vec<PlaneName>> {
+    /// At most `depth` planes that separate the remainder. Many planes of points in degenerate position leave the same
+    /// points: what has been searched in vain is not searched again.
+    fn search(
+        &self,
+        remainder: &[usize],
+        depth: usize,
+        vain: &mut FxHashSet<(usize, Remainder)>,
+    ) -> Option<Vec<PlaneName>> {
         if self.is_harmless(remainder) {
             return Some(Vec::new());
         }
@@ -201,7 +209,14 @@ impl<P: ExactPoint> Pair<'_, P> {
         open.sort_by_key(|(_, left)| left.len());
         found.or_else(|| {
             open.into_iter().find_map(|(plane, left)| {
-                let mut rest = self.search(&left, depth - 1)?;
+                let key = (depth - 1, left);
+                if vain.contains(&key) {
+                    return None;
+                }
+                let Some(mut rest) = self.search(&key.1, depth - 1, vain) else {
+                    vain.insert(key);
+                    return None;
+                };
                 rest.insert(0, plane);
                 Some(rest)
             })
