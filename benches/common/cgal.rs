@@ -103,11 +103,16 @@ impl Answer {
 }
 
 impl Cgal {
-    /// Builds the programs by `reference/build.sh`; `None`, after the reason on stderr, where that cannot be done.
+    /// Builds the programs, and further targets, by `reference/build.sh`; `None`, after the reason on stderr, where that cannot be done.
     #[must_use]
-    pub fn build() -> Option<Self> {
+    pub fn build(targets: &[&str]) -> Option<Self> {
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference/build.sh");
-        let output = Command::new("sh").arg(script).stderr(std::process::Stdio::inherit()).output().ok()?;
+        let output = Command::new("sh")
+            .arg(script)
+            .args(targets)
+            .stderr(std::process::Stdio::inherit())
+            .output()
+            .ok()?;
         let folder = String::from_utf8_lossy(&output.stdout).trim().to_owned();
         (output.status.success() && !folder.is_empty()).then(|| Self(PathBuf::from(folder)))
     }

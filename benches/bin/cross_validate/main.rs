@@ -54,7 +54,7 @@ fn main() -> ExitCode {
     if options.full {
         (options.cases, options.exact_cases, options.projections) = (10_000_000, 2_000_000, 1_000_000);
     }
-    let Some(cgal) = Cgal::build() else {
+    let Some(cgal) = Cgal::build(&[]) else {
         eprintln!("SKIPPED: no CGAL");
         return ExitCode::SUCCESS;
     };
