@@ -7,7 +7,7 @@ use homeo_proptests::recipe::Recipe;
 
 #[test]
 fn verdicts_agree_with_the_definitions() {
-    run(40, |_, case| compare(case));
+    run(20, |_, case| compare(case));
 }
 
 #[test]
