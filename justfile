@@ -39,7 +39,7 @@ fuzz target="certificate" seconds="60":
     cargo run --quiet --manifest-path fuzz/Cargo.toml --example seeds
     cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
-# Fast predicates against the exact judge, everything against CGAL, small shells against the definitions (about 100 a second
+# Fast predicates against the exact judge, everything against CGAL, small shells against the definitions (some 300 a second
 # and core), sections by construction, arithmetic on all backends, certificates with one fact falsified.
 
 # Long comparisons (hours); ends at the first disagreement

@@ -103,7 +103,8 @@ impl Answer {
 }
 
 impl Cgal {
-    /// Builds the programs, and further targets, by `reference/build.sh`; `None`, after the reason on stderr, where that cannot be done.
+    /// Builds the programs, and further targets, by `reference/build.sh`; `None`, after the reason on stderr, where that
+    /// cannot be done.
     #[must_use]
     pub fn build(targets: &[&str]) -> Option<Self> {
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference/build.sh");

@@ -5,8 +5,8 @@ use crate::Res;
 /// An oriented manifold triangle complex (the mesh `T` or the middle complex `M`).
 pub(crate) struct Complex {
     pub(crate) triangles: Vec<[usize; 3]>,
-    /// The triangles at each vertex, ascending (files are too small for 2^32).
-    around: Vec<Vec<u32>>,
+    /// The directed edges from each vertex, ascending: the other end and the triangle (files are too small for 2^32).
+    edges: Vec<Vec<(u32, u32)>>,
     /// Whether each vertex is one of a boundary edge.
     rim: Vec<bool>,
     /// The component of each triangle, numbered by smallest triangle.
@@ -49,34 +49,38 @@ impl Complex {
     pub(crate) fn new(triangles: Vec<[usize; 3]>, vertices: usize, code: &'static str) -> Res<Self> {
         let repeats = triangles.iter().position(|[a, b, c]| a == b || b == c || c == a);
         ensure!(repeats.is_none(), code, "triangle {repeats:?} repeats a vertex");
-        let mut around: Vec<Vec<u32>> = vec![Vec::new(); vertices];
-        triangles.iter().enumerate().for_each(|(i, t)| t.iter().for_each(|&v| around[v].push(i as u32)));
-        let mut complex = Self { triangles, around, rim: vec![false; vertices], part: vec![], parts: 0 };
-        for (i, side) in complex.directed() {
-            let twice = complex.holding(&[side.0, side.1]).any(|j| j != i && complex.has(j, side));
-            ensure!(!twice, code, "triangle {i}: edge {side:?} is used twice");
-            let twin = complex.holding(&complex.triangles[i]).any(|j| j != i);
+        let mut complex =
+            Self { triangles, edges: vec![vec![]; vertices], rim: vec![], part: vec![], parts: 0 };
+        for (i, t) in complex.triangles.iter().enumerate() {
+            sides(*t).into_iter().for_each(|(a, b)| complex.edges[a].push((b as u32, i as u32)));
+        }
+        complex.edges.iter_mut().for_each(|list| list.sort_unstable());
+        let once = |list: &Vec<(u32, u32)>| list.is_sorted_by(|x, y| x.0 < y.0);
+        let twice = complex.edges.iter().position(|list| !once(list));
+        ensure!(twice.is_none(), code, "an edge from vertex {twice:?} is used twice");
+        for (i, &[a, b, c]) in complex.triangles.iter().enumerate() {
+            let twin = complex.across(a, b).is_some_and(|j| complex.triangles[j].contains(&c));
             ensure!(!twin, code, "triangle {i} has the vertices of another one");
         }
-        let shared = |i: usize| sides(complex.triangles[i]).map(|(a, b)| Some((i, complex.across(a, b)?)));
-        for (v, list) in complex.around.iter().enumerate() {
-            let place = |i: usize| list.binary_search(&(i as u32)).ok();
-            let pairs = list.iter().flat_map(|&i| shared(i as usize)).flatten();
-            let pairs = pairs.filter_map(|(i, j)| place(i).zip(place(j)));
+        for (v, list) in complex.edges.iter().enumerate() {
+            // The triangles around the vertex: each is followed by the one across its side that reaches the vertex.
+            let last = |&(b, i): &(u32, u32)| {
+                complex.triangles[i as usize].into_iter().find(|&x| x != v && x != b as usize)
+            };
+            let next: Vec<_> = list.iter().map(|edge| complex.place(v, last(edge)?)).collect();
+            let pairs = next.iter().enumerate().filter_map(|(i, j)| Some((i, (*j)?)));
             let connected = classes(list.len(), pairs).iter().all(|&class| class == 0);
             ensure!(connected, code, "the triangles at vertex {v} are not connected through its edges");
+            complex.rim.push(next.contains(&None));
         }
-        let n = complex.triangles.len();
-        let mut part = classes(n, (0..n).flat_map(shared).flatten());
-        for i in 0..n {
+        let shared = complex.directed().filter_map(|(i, (a, b))| Some((i, complex.across(a, b)?)));
+        let mut part = classes(complex.triangles.len(), shared);
+        for i in 0..part.len() {
             // The smallest of a class stands first, and has its number when the others come.
             let new = part[i] == i;
             part[i] = if new { complex.parts } else { part[part[i]] };
             complex.parts += usize::from(new);
         }
-        let open = complex.directed().filter(|&(_, (a, b))| complex.across(a, b).is_none());
-        let rim: Vec<usize> = open.flat_map(|(_, (a, b))| [a, b]).collect();
-        rim.into_iter().for_each(|v| complex.rim[v] = true);
         complex.part = part;
         Ok(complex)
     }
@@ -86,22 +90,25 @@ impl Complex {
         self.triangles.iter().enumerate().flat_map(|(i, t)| sides(*t).map(|side| (i, side)))
     }
 
-    /// Whether a triangle has a directed edge.
-    fn has(&self, triangle: usize, side: (usize, usize)) -> bool {
-        sides(self.triangles[triangle]).contains(&side)
-    }
-
-    /// The triangles that have all the ids (at least one) as corners, some exactly if the ids are a simplex; found by
-    /// looking at the one with the fewest triangles.
-    pub(crate) fn holding<'a>(&'a self, ids: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
-        let short = ids.iter().map(|&v| self.around[v].as_slice()).min_by_key(|list| list.len());
-        let all = short.unwrap_or(&[]).iter().map(|&t| t as usize);
-        all.filter(|&t| ids.iter().all(|v| self.triangles[t].contains(v)))
+    /// Where a directed edge is in the list of its first vertex.
+    fn place(&self, a: usize, b: usize) -> Option<usize> {
+        self.edges[a].binary_search_by_key(&(b as u32), |edge| edge.0).ok()
     }
 
     /// The triangle on the other side of the directed edge `a b`.
     pub(crate) fn across(&self, a: usize, b: usize) -> Option<usize> {
-        self.holding(&[a, b]).find(|&t| self.has(t, (b, a)))
+        self.place(b, a).map(|place| self.edges[b][place].1 as usize)
+    }
+
+    /// The triangles that have all the ids (at least one) as corners; some exactly if the ids are a simplex.
+    pub(crate) fn holding<'a>(&'a self, ids: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
+        let first = ids.first().copied();
+        let pair = first.zip(ids.iter().copied().find(|b| Some(*b) != first));
+        // Those on both sides of an edge, or all at a vertex.
+        let star = first.filter(|_| pair.is_none()).map_or(&[][..], |a| self.edges[a].as_slice());
+        let both = pair.into_iter().flat_map(|(a, b)| [self.across(a, b), self.across(b, a)]).flatten();
+        let all = star.iter().map(|edge| edge.1 as usize).chain(both);
+        all.filter(|&t| ids.iter().all(|v| self.triangles[t].contains(v)))
     }
 
     /// The triangle with exactly these corners, ascending.
@@ -120,7 +127,7 @@ impl Complex {
 
     /// Vertices in use minus edges plus triangles.
     pub(crate) fn euler(&self) -> i128 {
-        let used = self.around.iter().filter(|list| !list.is_empty()).count();
+        let used = self.edges.iter().filter(|list| !list.is_empty()).count();
         let edges = self.directed().filter(|&(_, (a, b))| a < b || self.across(a, b).is_none()).count();
         used as i128 - edges as i128 + self.triangles.len() as i128
     }

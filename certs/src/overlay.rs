@@ -53,9 +53,7 @@ impl<'a> Overlay<'a> {
             meet(world, line, ids, names)
         })?;
         let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
-        overlay.cells = all(facts.cells.len(), |i| {
-            overlay.cell(world, selected, facts.cells.line(i), facts.cells.of(i))
-        })?;
+        overlay.cells = all(facts.cells.len(), |i| overlay.cell(world, selected, facts, i))?;
         overlay.boundary = overlay.check_edges(world)?;
         let mut used = vec![false; overlay.corners.len()];
         overlay.cells.iter().flat_map(|c| c.corners).for_each(|&x| used[x] = true);
@@ -64,13 +62,8 @@ impl<'a> Overlay<'a> {
         Ok(overlay)
     }
 
-    fn cell(
-        &self,
-        world: &World,
-        selected: &Selected<'_>,
-        line: usize,
-        corners: &'a [usize],
-    ) -> Res<Cell<'a>> {
+    fn cell(&self, world: &World, selected: &Selected<'_>, facts: &'a Facts, i: usize) -> Res<Cell<'a>> {
+        let (line, corners) = (facts.cells.line(i), facts.cells.of(i));
         let ids =
             |side: usize| distinct(corners.iter().flat_map(|&x| &self.corners[x].weights[side].ids).copied());
         let names = distinct(corners.iter().flat_map(|&x| self.corners[x].names).copied());
@@ -85,11 +78,8 @@ impl<'a> Overlay<'a> {
                 let weights = fan.map(|x| &self.corners[x].weights[side]);
                 let near = weights.map(|w| w.row(cell.within[side], &w.near));
                 let exact = || sgn(&det(&self.rows(side, &cell, fan)));
-                ensure!(
-                    sign_near(&near, false).unwrap_or_else(exact) > 0,
-                    code,
-                    "line {line}: fan triangle {i}"
-                );
+                let sign = sign_near(&near, false).unwrap_or_else(exact);
+                ensure!(sign > 0, code, "line {line}: fan triangle {i}");
             }
         }
         Ok(cell)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::num::NonZero;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use std::{env, thread};
 
@@ -21,7 +21,7 @@ pub type Tally = BTreeMap<String, u64>;
 const BATCH: u64 = 64;
 
 /// Runs a property on random recipes: on `HOMEO_CASES` many when that is set, by all cores and with a line every now and
-/// then, else for `seconds` on one core (other tests run beside it).
+/// then, else for `seconds` on one core (other tests run beside it). Ends at the first failure.
 ///
 /// # Panics
 /// With the smallest recipe found that fails, and its case; if nearly all cases are noted as refused.
@@ -30,32 +30,35 @@ pub fn run(seconds: u64, property: impl Fn(&Recipe, &Case) -> Result<Vec<String>
         env::var("HOMEO_CASES").ok().map(|n| n.parse().expect("HOMEO_CASES is a number"));
     let deadline = wanted.is_none().then(|| Instant::now() + Duration::from_secs(seconds));
     let workers = wanted.map_or(1, |_| thread::available_parallelism().map_or(1, NonZero::get));
-    let begun = AtomicU64::new(0);
-    let all = Mutex::new((0, Tally::new()));
-    let over = || deadline.is_some_and(|d| Instant::now() > d);
+    let (begun, failed) = (AtomicU64::new(0), AtomicBool::new(false));
+    let all = Mutex::new((0, Tally::new(), Vec::new()));
+    let over = || failed.load(Ordering::Relaxed) || deadline.is_some_and(|d| Instant::now() > d);
     let work = || {
         while !over() && begun.fetch_add(BATCH, Ordering::Relaxed) < wanted.unwrap_or(u64::MAX) {
-            let (counted, tally) = batch(&property, &over);
-            let mut all = all.lock().expect("no worker has panicked with the lock");
+            let (counted, tally, failure) = batch(&property, &over);
+            failed.fetch_or(failure.is_some(), Ordering::Relaxed);
+            let mut all = all.lock().expect("nothing panics with the lock");
             all.0 += counted;
             tally.into_iter().for_each(|(note, n)| *all.1.entry(note).or_default() += n);
+            all.2.extend(failure);
             if wanted.is_some() && all.0 % 16_384 < counted {
                 eprintln!("{} cases", all.0);
             }
         }
     };
-    // The scope panics when a worker has.
     thread::scope(|scope| (0..workers).for_each(|_| drop(scope.spawn(work))));
-    let (counted, tally) = all.into_inner().expect("no worker has panicked with the lock");
+    let (counted, tally, failures) = all.into_inner().expect("nothing panics with the lock");
     eprintln!("{counted} cases: {tally:?}");
+    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
     assert!(is_telling(counted, &tally), "nearly all cases were refused: {counted} cases, {tally:?}");
 }
 
-/// A few cases, and what happened to them. A runner counts its successes over all its runs: a new one for each batch.
+/// A few cases, what happened to them, and the smallest that fails if one does. A runner counts its successes over all its
+/// runs: a new one for each batch.
 fn batch(
     property: &impl Fn(&Recipe, &Case) -> Result<Vec<String>, String>,
     over: &impl Fn() -> bool,
-) -> (u64, Tally) {
+) -> (u64, Tally, Option<String>) {
     let cases = u32::try_from(BATCH).expect("a small number");
     let config = Config { cases, failure_persistence: None, max_shrink_iters: 2000, ..Config::default() };
     let done = std::cell::RefCell::new((0, Tally::new()));
@@ -69,11 +72,12 @@ fn batch(
         notes.into_iter().for_each(|n| *tally.entry(n).or_default() += 1);
         Ok(())
     });
-    if let Err(error) = result {
-        let TestError::Fail(reason, recipe) = error else { panic!("{error}") };
-        panic!("{reason}\n{recipe:?}\n{:#?}", recipe.build());
-    }
-    done.into_inner()
+    let failure = result.err().map(|error| match error {
+        TestError::Fail(reason, recipe) => format!("{reason}\n{recipe:?}\n{:#?}", recipe.build()),
+        TestError::Abort(reason) => reason.to_string(),
+    });
+    let (counted, tally) = done.into_inner();
+    (counted, tally, failure)
 }
 
 /// Was the property asked about more than a few of the cases? All inputs refused would satisfy any.
@@ -178,7 +182,13 @@ pub fn compare(case: &Case) -> Result<Vec<String>, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Tally, is_telling};
+    use super::{Tally, is_telling, run};
+
+    #[test]
+    #[should_panic(expected = "a case that fails")]
+    fn a_failure_ends_the_run() {
+        run(600, |_, _| Err("a case that fails".into()));
+    }
 
     #[test]
     fn a_run_that_refuses_all_tells_nothing() {

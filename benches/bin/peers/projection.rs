@@ -51,6 +51,15 @@ fn cases(projection: &Projection<'_>, count: usize) -> Vec<Case> {
     (0..count).map(case).filter(|(_, p)| projection.is_inside_f64(p)).collect()
 }
 
+/// The seconds of one point, its tet not known before: CGAL's programs are told the prism.
+fn ours<'a>(cases: &'a [Case], project: impl Fn(&[f64; 3]) + 'a) -> Side<'a, PeersError> {
+    Box::new(move || {
+        let start = Instant::now();
+        cases.iter().for_each(|(_, p)| project(black_box(p)));
+        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
+    })
+}
+
 fn exact(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
     let what = "exact projection of a point";
     let shell = projection.shell();
@@ -66,11 +75,7 @@ fn exact(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut 
         );
         numbers.extend(prism::numbers(shell, corners, p));
     }
-    let mut sides: Vec<Side<'_, PeersError>> = vec![Box::new(|| {
-        let start = Instant::now();
-        cases.iter().for_each(|(_, p)| drop(black_box(projection.project_exactly(black_box(p)))));
-        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
-    })];
+    let mut sides = vec![ours(cases, |p| drop(black_box(projection.project_exactly(p))))];
     if let Some(cgal) = &plan.cgal {
         for (_, options, _) in CGAL {
             let mut subject = Subject::start(&cgal.0, "projection", options)?;
@@ -105,18 +110,10 @@ fn exact(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut 
 
 /// Ways to project in doubles; to be compared with the exact one.
 fn float(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
-    let single: Side<'_, PeersError> = Box::new(|| {
-        let start = Instant::now();
-        for (_, p) in cases {
-            black_box(projection.project_f64(black_box(p)));
-        }
-        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
+    let single = ours(cases, |p| {
+        black_box(projection.project_f64(p));
     });
-    let exact: Side<'_, PeersError> = Box::new(|| {
-        let start = Instant::now();
-        cases.iter().for_each(|(_, p)| drop(black_box(projection.project_exactly(black_box(p)))));
-        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
-    });
+    let exact = ours(cases, |p| drop(black_box(projection.project_exactly(p))));
     let mut worst = [0.0, 0.0];
     for (_, p) in cases {
         for (w, x) in worst.iter_mut().zip(error(projection, p)?) {

@@ -56,14 +56,19 @@ fn conditions_and_answers_are_those_of_the_definitions() {
         let open = |a, b| edges.contains(&(a, b)) != edges.contains(&(b, a));
         for a in 0..7 {
             assert_eq!(complex.on_boundary([a]), (0..7).any(|b| open(a, b)));
+            let star = (0..triangles.len()).filter(|&i| triangles[i].contains(&a));
+            assert_eq!(distinct(complex.holding(&[a, a])), star.collect::<Vec<_>>());
             for b in (0..7).filter(|&b| b != a) {
                 assert_eq!(complex.on_boundary([a, b]), open(a, b));
                 let expected = triangles.iter().position(|t| sides(*t).contains(&(b, a)));
                 assert_eq!(complex.across(a, b), expected);
                 let holding =
                     (0..triangles.len()).filter(|&i| [a, b].iter().all(|v| triangles[i].contains(v)));
-                assert!(complex.holding(&[a, b]).eq(holding));
+                assert_eq!(distinct(complex.holding(&[a, b, a])), holding.collect::<Vec<_>>());
             }
+        }
+        for (i, t) in triangles.iter().enumerate() {
+            assert_eq!(complex.with_corners(&distinct(*t)), Some(i));
         }
         let used = distinct(triangles.iter().flatten().copied()).len();
         let undirected = edges.iter().filter(|(a, b)| a < b || !edges.contains(&(*b, *a))).count();

@@ -102,23 +102,15 @@ pub fn orient3d_at(
     check_lengths(&points, signs.len())?;
     let [a, b, c, d] = points;
     let exact = |i: usize| orient3d_staged(&a.at(i), &b.at(i), &c.at(i), &d.at(i));
-    Ok(level.run(
+    Ok(decided(
+        level,
+        signs,
         #[inline(always)]
-        || {
-            all(
-                signs,
-                #[inline(always)]
-                |i: usize| {
-                    let from = a.block(i);
-                    filter3(
-                        &minus(&b.block(i), &from),
-                        &minus(&c.block(i), &from),
-                        &minus(&d.block(i), &from),
-                    )
-                },
-                exact,
-            )
+        |i: usize| {
+            let from = a.block(i);
+            filter3(&minus(&b.block(i), &from), &minus(&c.block(i), &from), &minus(&d.block(i), &from))
         },
+        exact,
     ))
 }
 
@@ -142,23 +134,15 @@ pub fn dot_sign_at(
     check_lengths(&points, signs.len())?;
     let [a, b, c, s, t] = points;
     let exact = |i: usize| dot_sign_staged(&a.at(i), &b.at(i), &c.at(i), &s.at(i), &t.at(i));
-    Ok(level.run(
+    Ok(decided(
+        level,
+        signs,
         #[inline(always)]
-        || {
-            all(
-                signs,
-                #[inline(always)]
-                |i: usize| {
-                    let from = a.block(i);
-                    filter3(
-                        &minus(&b.block(i), &from),
-                        &minus(&c.block(i), &from),
-                        &minus(&t.block(i), &s.block(i)),
-                    )
-                },
-                exact,
-            )
+        |i: usize| {
+            let from = a.block(i);
+            filter3(&minus(&b.block(i), &from), &minus(&c.block(i), &from), &minus(&t.block(i), &s.block(i)))
         },
+        exact,
     ))
 }
 
@@ -189,19 +173,15 @@ pub fn orient3d_indexed_at(
         let [a, b, c, d] = inputs[i].map(|v| &vertices[v as usize]);
         orient3d_staged(a, b, c, d)
     };
-    Ok(level.run(
+    Ok(decided(
+        level,
+        signs,
         #[inline(always)]
-        || {
-            all(
-                signs,
-                #[inline(always)]
-                |i: usize| {
-                    let [a, b, c, d] = gather(vertices, &inputs[i..i + LANES]);
-                    filter3(&minus(&b, &a), &minus(&c, &a), &minus(&d, &a))
-                },
-                exact,
-            )
+        |i: usize| {
+            let [a, b, c, d] = gather(vertices, &inputs[i..i + LANES]);
+            filter3(&minus(&b, &a), &minus(&c, &a), &minus(&d, &a))
         },
+        exact,
     ))
 }
 
@@ -232,19 +212,15 @@ pub fn dot_sign_indexed_at(
         let [a, b, c, s, t] = inputs[i].map(|v| &vertices[v as usize]);
         dot_sign_staged(a, b, c, s, t)
     };
-    Ok(level.run(
+    Ok(decided(
+        level,
+        signs,
         #[inline(always)]
-        || {
-            all(
-                signs,
-                #[inline(always)]
-                |i: usize| {
-                    let [a, b, c, s, t] = gather(vertices, &inputs[i..i + LANES]);
-                    filter3(&minus(&b, &a), &minus(&c, &a), &minus(&t, &s))
-                },
-                exact,
-            )
+        |i: usize| {
+            let [a, b, c, s, t] = gather(vertices, &inputs[i..i + LANES]);
+            filter3(&minus(&b, &a), &minus(&c, &a), &minus(&t, &s))
         },
+        exact,
     ))
 }
 
@@ -282,8 +258,20 @@ fn check_indices<const N: usize>(
     inputs.iter().enumerate().find_map(first).map_or(Ok(()), Err)
 }
 
-// The closures above are `inline(always)`: code that is called and not inlined is compiled for what every processor has, so
-// that the chosen level would be without effect.
+/// All signs, with the instructions of a level. Filters have to be inlined, too: code that is called is compiled for what every
+/// processor has, so that the level would be without effect.
+#[inline(always)]
+fn decided(
+    level: Level,
+    signs: &mut [Sign],
+    filter: impl Fn(usize) -> [i8; LANES],
+    exact: impl Fn(usize) -> (Sign, super::Stage),
+) -> StageCounts {
+    level.run(
+        #[inline(always)]
+        || all(signs, filter, exact),
+    )
+}
 
 /// All signs: blocks through the filter, then one by one what it left open, and the tail.
 #[inline(always)]
