@@ -36,7 +36,7 @@ verify-shells:
 
 # Fuzz one target (needs cargo-fuzz and a nightly toolchain)
 fuzz target="certificate" seconds="60":
-    cargo run --quiet --manifest-path fuzz/Cargo.toml --example seeds
+    cargo run --quiet -p homeo-fuzz-targets --example seeds
     cargo +nightly fuzz run {{target}} --features libfuzzer -- -max_total_time={{seconds}}
 
 # Fast predicates against the exact judge, everything against CGAL, small shells against the definitions (some 300 a second

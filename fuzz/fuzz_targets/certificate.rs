@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::certificate`].
+//! libFuzzer entry of [`homeo_fuzz_targets::certificate`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::certificate(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::certificate(data));

@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::checkers`].
+//! libFuzzer entry of [`homeo_fuzz_targets::checkers`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::checkers(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::checkers(data));

@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::complex`].
+//! libFuzzer entry of [`homeo_fuzz_targets::complex`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::complex(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::complex(data));

@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::document`].
+//! libFuzzer entry of [`homeo_fuzz_targets::document`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::document(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::document(data));

@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::mesh`].
+//! libFuzzer entry of [`homeo_fuzz_targets::mesh`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::mesh(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::mesh(data));

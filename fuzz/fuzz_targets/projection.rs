@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::projection`].
+//! libFuzzer entry of [`homeo_fuzz_targets::projection`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::projection(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::projection(data));

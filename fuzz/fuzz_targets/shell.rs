@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::shell`].
+//! libFuzzer entry of [`homeo_fuzz_targets::shell`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::shell(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::shell(data));

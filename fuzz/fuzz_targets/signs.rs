@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::signs`].
+//! libFuzzer entry of [`homeo_fuzz_targets::signs`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::signs(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::signs(data));

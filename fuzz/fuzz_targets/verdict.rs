@@ -1,4 +1,4 @@
-//! libFuzzer entry of [`homeo_fuzz::verdict`].
+//! libFuzzer entry of [`homeo_fuzz_targets::verdict`].
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz::verdict(data));
+libfuzzer_sys::fuzz_target!(|data: &[u8]| homeo_fuzz_targets::verdict(data));

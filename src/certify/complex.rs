@@ -1,6 +1,9 @@
 //! The tets of a shell under one vertex order, and what a lift needs to know of their neighbourhood.
 
 use std::collections::HashSet;
+use std::ops::Range;
+
+use rayon::prelude::*;
 
 use crate::mesh::connectivity::{Connectivity, Side};
 use crate::predicate::orient3d;
@@ -48,6 +51,8 @@ pub(crate) struct TetComplex<'a> {
     /// Tets by name, as ranges of `by_name`; name `3 v + layer`.
     starts: Vec<u32>,
     by_name: Vec<u32>,
+    /// The first tet of each prism, and their number.
+    first: Vec<u32>,
     pinched: Vec<bool>,
 }
 
@@ -70,7 +75,8 @@ impl<'a> TetComplex<'a> {
     ) -> Self {
         let prisms = u32::try_from(shell.faces.len()).unwrap_or(u32::MAX);
         let rank = |v: u32| ranks.get(v as usize).copied().unwrap_or(v);
-        let tets: Vec<Tet> = (0..prisms).flat_map(|p| shell.tets_of_order(p, rank)).collect();
+        let tets: Vec<Tet> =
+            (0..prisms).into_par_iter().flat_map_iter(|p| shell.tets_of_order(p, rank)).collect();
         let mut starts = vec![0u32; 3 * shell.middle.len() + 1];
         for name in tets.iter().flat_map(|t| t.names) {
             starts[code(name) + 1] += 1;
@@ -87,8 +93,13 @@ impl<'a> TetComplex<'a> {
                 *slot += 1;
             }
         }
+        let mut first = vec![0u32; shell.faces.len() + 1];
+        tets.iter().for_each(|tet| first[tet.prism as usize + 1] += 1);
+        for i in 1..first.len() {
+            first[i] += first[i - 1];
+        }
         let pinched = (0..shell.middle.len()).map(|v| shell.is_pinched(v as u32)).collect();
-        Self { shell, tets, middle, boundary, starts, by_name, pinched }
+        Self { shell, tets, middle, boundary, starts, by_name, first, pinched }
     }
 
     /// The four points of a tet, in its positive order.
@@ -107,6 +118,30 @@ impl<'a> TetComplex<'a> {
         let shortest = names.iter().map(|&n| self.with_name(n)).min_by_key(|list| list.len());
         let holds_all = |&t: &u32| names.iter().all(|n| self.tets[t as usize].names.contains(n));
         shortest.unwrap_or(&[]).iter().copied().filter(holds_all)
+    }
+
+    /// The tets that hold all the names, which are names of `tet`, ascending: [`star`](Self::star) without a search where they
+    /// are three or four, as three lie in one prism or in two that share a wall.
+    pub(crate) fn around<'s>(&'s self, tet: u32, names: &'s [Name]) -> impl Iterator<Item = u32> + 's {
+        let holds_all = |&t: &u32| names.iter().all(|n| self.tets[t as usize].names.contains(n));
+        let (listed, prisms) = match names {
+            [_, _, _, _] => (None, [tet..tet + 1, 0..0]),
+            [_, _, _] => (None, self.prisms_with(self.tets[tet as usize].prism, names)),
+            _ => (Some(self.star(names)), [0..0, 0..0]),
+        };
+        let of_prisms = prisms.into_iter().flatten().filter(holds_all);
+        listed.into_iter().flatten().chain(of_prisms)
+    }
+
+    /// The tets of `prism`, and where the names have only two vertices those of the prism across, in the order of prisms.
+    fn prisms_with(&self, prism: u32, names: &[Name]) -> [Range<u32>; 2] {
+        let face = self.shell.faces[prism as usize];
+        let tets = |p: u32| self.first[p as usize]..self.first[p as usize + 1];
+        let missing = (0..3u32).find(|&i| names.iter().all(|n| n.vertex != face[i as usize]));
+        match missing.and_then(|i| self.middle.mate(Side::new(prism, i))).map(Side::face) {
+            None => [tets(prism), 0..0],
+            Some(other) => [tets(prism.min(other)), tets(prism.max(other))],
+        }
     }
 
     pub(crate) fn is_pinched(&self, vertex: u32) -> bool {
@@ -128,11 +163,11 @@ impl<'a> TetComplex<'a> {
 
     /// The first tet that is not positive.
     pub(crate) fn first_not_positive(&self) -> Option<u32> {
-        let bad = |id: &usize| {
-            let [a, b, c, d] = self.tets[*id].names.map(|n| self.shell.position(n));
+        let bad = |tet: &Tet| {
+            let [a, b, c, d] = tet.names.map(|n| self.shell.position(n));
             !orient3d(a, b, c, d).is_positive()
         };
-        (0..self.tets.len()).find(bad).and_then(|id| u32::try_from(id).ok())
+        self.tets.par_iter().position_first(bad).and_then(|id| u32::try_from(id).ok())
     }
 }
 

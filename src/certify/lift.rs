@@ -4,9 +4,11 @@
 //! a piece in the common face of two tets belongs to the tet above it. Each corner is named by its two carriers,
 //! and a side continues into the piece that has the same side reversed.
 
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-use super::clip::{Corner, Mask, Polygon, SIDES, clip};
+use super::ahead::{self, Across, Ahead, Found, find};
+use super::clip::{Mask, Polygon, SIDES, clip};
 use super::complex::{MeshView, TetComplex};
 use super::observer::{Observer, Ticker};
 use crate::predicate::{Sign, dot_sign};
@@ -126,14 +128,22 @@ impl Lift {
         let p = &self.pieces[piece as usize];
         &self.corners[p.first as usize..p.first as usize + usize::from(p.len)]
     }
-}
 
-/// Triangle and tet of a piece with its polygon.
-#[derive(Clone, Copy)]
-struct Candidate {
-    face: u32,
-    tet: u32,
-    polygon: Polygon,
+    /// The piece of a triangle in a tet.
+    pub(super) fn get(&self, face: u32, tet: u32) -> Option<u32> {
+        self.index.get(&(face, tet)).copied()
+    }
+
+    /// Adds a piece that was found.
+    fn add(&mut self, found: &Found, (parent, parent_side): (u32, u8)) -> Result<(), Stop> {
+        let id = self.pieces.len() as u32;
+        let first = self.corners.len() as u32;
+        self.corners.extend_from_slice(found.corners());
+        let len = found.corners().len() as u8;
+        self.pieces.push(Piece { face: found.face, tet: found.tet, first, len, parent, parent_side });
+        self.index.insert((found.face, found.tet), id);
+        found.wrong.map_or(Ok(()), |reason| Err(Stop::Violation(Violation { piece: id, reason })))
+    }
 }
 
 /// A piece looked at alone, apart from any lift.
@@ -188,7 +198,7 @@ impl Lifting<'_> {
     }
 
     /// The piece of `face` in `tet`, under the half-open rule.
-    fn piece(&self, face: u32, tet: u32) -> Option<Candidate> {
+    pub(super) fn piece(&self, face: u32, tet: u32) -> Option<Polygon> {
         let polygon = clip(self.mesh.points(face), self.complex.points(tet))?;
         if let Some(k) = polygon.coplanar {
             let record = &self.complex.tets[tet as usize];
@@ -201,10 +211,10 @@ impl Lifting<'_> {
             }
             debug_assert!(hi != lo);
         }
-        Some(Candidate { face, tet, polygon })
+        Some(polygon)
     }
 
-    fn carriers(&self, face: u32, tet: u32, mask: Mask) -> Carriers {
+    pub(super) fn carriers(&self, face: u32, tet: u32, mask: Mask) -> Carriers {
         Carriers::new(self.mesh.faces[face as usize], self.complex.tets[tet as usize].names, mask)
     }
 
@@ -223,114 +233,105 @@ impl Lifting<'_> {
     /// Lifts the component of `face` from its piece in `tet`.
     pub(crate) fn flood(&self, face: u32, tet: u32, observer: &dyn Observer) -> (Lift, Option<Stop>) {
         let mut lift = Lift::default();
-        let Some(root) = self.piece(face, tet) else { return (lift, None) };
+        let Some(root) = find(self, face, tet) else { return (lift, None) };
         lift.middle_component = self.complex.middle.component(self.complex.tets[tet as usize].prism);
         let stop = self.run(&mut lift, &root, observer).err();
         (lift, stop)
     }
 
-    fn run(&self, lift: &mut Lift, root: &Candidate, observer: &dyn Observer) -> Result<(), Stop> {
+    /// Breadth-first. All cores look across the sides of the pieces that wait, then what they found is added in the order in which
+    /// one core would have found it: the lift is the same for any number of threads and pieces taken at once.
+    fn run(&self, lift: &mut Lift, root: &Found, observer: &dyn Observer) -> Result<(), Stop> {
         let mut ticker = Ticker::new(observer);
-        self.add(lift, root, (0, 0))?;
-        let mut next = 0;
+        lift.add(root, (0, 0))?;
+        let (mut next, mut alone) = (0, Ahead::default());
         while next < lift.pieces.len() {
-            if ticker.tick() {
-                return Err(Stop::Cancelled);
+            let waiting = lift.pieces.len() - next;
+            // Neighbours among the pieces taken at once find the same piece twice: alone, one looks at one after another.
+            if waiting < WIDE || rayon::current_num_threads() == 1 {
+                alone.clear();
+                alone.look(self, lift, next as u32);
+                self.accept(lift, &[next as u32], &alone, &mut ticker)?;
+                next += 1;
+                continue;
             }
-            let sides = lift.pieces[next].len;
-            for side in 0..sides {
-                self.cross(lift, next as u32, side)?;
+            let ids: Vec<u32> = (next as u32..).take(waiting.min(AT_ONCE)).collect();
+            let look = |ids: &[u32]| {
+                let mut ahead = Ahead::default();
+                ids.iter().for_each(|&id| ahead.look(self, lift, id));
+                ahead
+            };
+            let parts: Vec<Ahead> = ids.par_chunks(SHARE).map(look).collect();
+            for (ids, ahead) in ids.chunks(SHARE).zip(&parts) {
+                self.accept(lift, ids, ahead, &mut ticker)?;
             }
-            next += 1;
+            next += ids.len();
         }
         Ok(())
     }
 
-    /// Adds a piece and looks at it alone: is it a fold, does it touch bottom or top?
-    fn add(&self, lift: &mut Lift, c: &Candidate, (parent, parent_side): (u32, u8)) -> Result<(), Stop> {
-        let id = lift.pieces.len() as u32;
-        let first = lift.corners.len() as u32;
-        let corners = c.polygon.corners();
-        lift.corners.extend(corners.iter().map(|k| (k.mask, self.carriers(c.face, c.tet, k.mask))));
-        let len = corners.len() as u8;
-        lift.pieces.push(Piece { face: c.face, tet: c.tet, first, len, parent, parent_side });
-        lift.index.insert((c.face, c.tet), id);
-        let violation = |reason| Err(Stop::Violation(Violation { piece: id, reason }));
-        if !self.dot(c.face, c.tet).is_positive() {
-            return violation(Reason::Fold);
-        }
-        let cap = lift.corners_of(id).iter().position(|(_, k)| self.complex.in_cap(k.shell()));
-        cap.map_or(Ok(()), |corner| violation(Reason::Cap { corner: corner as u8 }))
-    }
-
-    /// Continues the lift across one side of a piece.
-    fn cross(&self, lift: &mut Lift, id: u32, side: u8) -> Result<(), Stop> {
-        let piece = lift.pieces[id as usize];
-        let corners = lift.corners_of(id);
-        let (mask_a, a) = corners[usize::from(side)];
-        let (mask_b, b) = corners[(usize::from(side) + 1) % corners.len()];
-        let common = mask_a & mask_b;
-        let along = self.carriers(piece.face, piece.tet, common);
-        let violation = |reason| Err(Stop::Violation(Violation { piece: id, reason }));
-        if self.complex.in_cap(along.shell()) {
-            return violation(Reason::CapSide { side });
-        }
-        let on_wall = self.complex.in_boundary_wall(along.shell());
-        let mesh_side = common & SIDES;
-        let face = if mesh_side == 0 {
-            Some(piece.face)
-        } else {
-            self.mesh.across(piece.face, mesh_side.trailing_zeros())
-        };
-        let Some(face) = face else {
-            return if on_wall { Ok(()) } else { violation(Reason::Boundary { side }) };
-        };
-        if on_wall {
-            return violation(Reason::Wall { side });
-        }
-        self.enter(lift, (id, side), face, [b, a], along.shell())
-    }
-
-    /// Finds the piece of `face` around the simplex `names` that has the side from `ends[0]` to `ends[1]`.
-    fn enter(
+    /// Adds what lies across the sides of some pieces.
+    fn accept(
         &self,
         lift: &mut Lift,
-        from: (u32, u8),
-        face: u32,
-        ends: [Carriers; 2],
-        names: &[Name],
+        ids: &[u32],
+        ahead: &Ahead,
+        ticker: &mut Ticker<'_>,
     ) -> Result<(), Stop> {
-        let mut found: Option<Candidate> = None;
-        for tet in self.complex.star(names) {
-            // Along a wall a coplanar triangle is a piece of either tet; the first is enough to refute.
-            if let Some(&known) = lift.index.get(&(face, tet)) {
-                if has_side(lift.corners_of(known).iter().map(|(_, c)| *c), ends) {
-                    return Ok(());
+        let (mut sides, mut found) = (ahead.sides.iter(), ahead.found.as_slice());
+        for &id in ids {
+            if ticker.tick() {
+                return Err(Stop::Cancelled);
+            }
+            for side in 0..lift.pieces[id as usize].len {
+                match sides.next() {
+                    Some(Across::Wrong(reason)) => {
+                        return Err(Stop::Violation(Violation { piece: id, reason: *reason }));
+                    }
+                    Some(Across::Pieces { count, then_known }) => {
+                        let (here, rest) = found.split_at(usize::from(*count));
+                        found = rest;
+                        self.enter(lift, (id, side), here, *then_known)?;
+                    }
+                    Some(Across::Boundary) | None => {}
                 }
-                continue;
             }
-            let Some(candidate) = self.piece(face, tet) else { continue };
-            let carriers = |c: &Corner| self.carriers(face, tet, c.mask);
-            if !has_side(candidate.polygon.corners().iter().map(carriers), ends) {
-                continue;
-            }
-            if !self.dot(face, tet).is_positive() {
-                return self.add(lift, &candidate, from);
-            }
-            if found.is_some() {
-                return Err(Stop::Branched(names.to_vec()));
-            }
-            found = Some(candidate);
         }
-        match found {
-            Some(candidate) => self.add(lift, &candidate, from),
-            None => Err(Stop::Branched(names.to_vec())),
+        Ok(())
+    }
+
+    /// Goes on into the one piece that has the side, unless the lift has one by now.
+    fn enter(&self, lift: &mut Lift, from: (u32, u8), found: &[Found], then_known: bool) -> Result<(), Stop> {
+        let mut one: Option<&Found> = None;
+        let branched = || {
+            let along = ahead::along(self, lift, from.0, usize::from(from.1));
+            Err(Stop::Branched(along.shell().to_vec()))
+        };
+        for found in found {
+            if lift.get(found.face, found.tet).is_some() {
+                return Ok(());
+            }
+            if found.wrong == Some(Reason::Fold) {
+                return lift.add(found, from);
+            }
+            if one.is_some() {
+                return branched();
+            }
+            one = Some(found);
+        }
+        match one {
+            _ if then_known => Ok(()),
+            Some(one) => lift.add(one, from),
+            None => branched(),
         }
     }
 }
 
-/// Does the closed polygon have the directed side `ends[0] -> ends[1]`?
-fn has_side(corners: impl Iterator<Item = Carriers> + Clone, ends: [Carriers; 2]) -> bool {
-    let mut following = corners.clone().cycle().skip(1);
-    corners.into_iter().any(|c| following.next().is_some_and(|next| [c, next] == ends))
-}
+/// Pieces that wait, from where on looking ahead by all cores pays.
+const WIDE: usize = 64;
+
+/// Pieces looked across at once, at most: bounds the memory of what is found.
+const AT_ONCE: usize = 1 << 14;
+
+/// Pieces that one core takes.
+const SHARE: usize = 64;

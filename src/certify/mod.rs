@@ -4,6 +4,7 @@
 //! proves all its verdicts: certificates for what holds, witnesses for what does not. The file is checked by
 //! `homeo-check` and by `reference/check.py`; its format is `certs/FORMAT.md`.
 
+mod ahead;
 mod claim;
 mod clip;
 pub(crate) mod complex;

@@ -204,8 +204,9 @@ fn about_mesh(
     observer: &dyn Observer,
 ) -> Result<(), CertifyError> {
     let shell = subject.shell;
-    let valid = mesh::check(tri_mesh)?;
-    let middle = Connectivity::new(shell.middle.len(), &shell.faces)?;
+    let (valid, middle) =
+        rayon::join(|| mesh::check(tri_mesh), || Connectivity::new(shell.middle.len(), &shell.faces));
+    let (valid, middle) = (valid?, middle?);
     let (edge, wall) = (Boundary::new(valid.connectivity()), Boundary::new(&middle));
     let mesh = MeshView {
         vertices: &tri_mesh.vertices,

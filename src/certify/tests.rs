@@ -1,10 +1,17 @@
-//! Clipping by signs against clipping by exact coordinates.
+//! Clipping by signs against clipping by exact coordinates; lifts looked ahead of by one core and by many.
 
 use dashu_ratio::RBig;
 
+use super::Silent;
 use super::clip::clip;
+use super::complex::{Boundary, MeshView, TetComplex};
 use super::exact::{ExactPiece, has_area, normalised, whole};
+use super::lift::Lifting;
+use crate::construct::icosphere;
+use crate::mesh::{Connectivity, TriMesh};
 use crate::predicate::orient3d;
+use crate::shell::{Name, Shell};
+use crate::testing::Random;
 
 /// Points on a small grid, where degenerate positions are the rule.
 struct Grid(u64);
@@ -65,4 +72,88 @@ fn clipping_by_signs_is_clipping() {
         assert_eq!(corners, exact_corners(&exact), "{p:?}");
     }
     assert!(areas > 1_000 && coplanar > 50, "{areas} {coplanar}");
+}
+
+/// A shell of 1280 prisms around a sphere, with pinched vertices and, if it is open, without its first prisms; the mesh is
+/// its middle surface, some vertices moved.
+fn sphere(random: &mut Random, open: usize, moved: usize) -> (Shell, TriMesh) {
+    let mut mesh = icosphere(3);
+    mesh.faces.drain(..open);
+    let scaled = |f: f64| mesh.vertices.iter().map(|p| p.map(|x| x * f)).collect::<Vec<_>>();
+    let (bottom, middle, top) = (scaled(0.75), scaled(1.0), scaled(1.25));
+    let mut shell = Shell { bottom, middle, top, faces: mesh.faces.clone() };
+    for _ in 0..8 {
+        let v = random.below(shell.middle.len());
+        (shell.bottom[v], shell.top[v]) = (shell.middle[v], shell.middle[v]);
+    }
+    for _ in 0..moved {
+        let v = random.below(mesh.vertices.len());
+        let factor = [0.75, 0.9, 1.1, 1.25, 1.3][random.below(5)];
+        mesh.vertices[v] = mesh.vertices[v].map(|x| x * factor);
+    }
+    (shell, mesh)
+}
+
+/// Calls a function with mesh and complex.
+fn lifting<R>(shell: &Shell, mesh: &TriMesh, work: impl FnOnce(Lifting<'_>) -> R) -> R {
+    let of = |vertices: usize, faces| Connectivity::new(vertices, faces).unwrap();
+    let (middle, connectivity) = (of(shell.middle.len(), &shell.faces), of(mesh.vertices.len(), &mesh.faces));
+    let (wall, edge) = (Boundary::new(&middle), Boundary::new(&connectivity));
+    let ranks: Vec<u32> = (0..shell.middle.len() as u32).collect();
+    let view = MeshView {
+        vertices: &mesh.vertices,
+        faces: &mesh.faces,
+        connectivity: &connectivity,
+        boundary: &edge,
+    };
+    work(Lifting { mesh: &view, complex: &TetComplex::new(shell, &middle, &wall, &ranks) })
+}
+
+#[test]
+fn tets_around_a_simplex_of_a_tet_are_its_star() {
+    let mut random = Random(5);
+    for open in [0, 100] {
+        let (shell, mesh) = sphere(&mut random, open, 0);
+        lifting(&shell, &mesh, |cx| {
+            for (id, tet) in cx.complex.tets.iter().enumerate() {
+                for subset in 1..16u8 {
+                    let names: Vec<Name> =
+                        (0..4).filter(|k| subset & (1 << k) != 0).map(|k| tet.names[k]).collect();
+                    let star: Vec<u32> = cx.complex.star(&names).collect();
+                    assert!(cx.complex.around(id as u32, &names).eq(star), "{id} {names:?}");
+                }
+            }
+        });
+    }
+}
+
+#[test]
+fn a_lift_is_the_same_whoever_looks_ahead() {
+    let pool = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
+    let (one, four) = (pool(1), pool(4));
+    let mut random = Random(6);
+    let (mut complete, mut violations) = (0, 0);
+    for round in 0..60 {
+        let (shell, mesh) = sphere(&mut random, [0, 200][round % 2], round / 20);
+        lifting(&shell, &mesh, |cx| {
+            let face = random.below(mesh.faces.len()) as u32;
+            let prism = cx.complex.tets.iter().position(|t| t.prism == face);
+            let Some(start) =
+                (0..6).map(|k| (prism.unwrap() + k) as u32).find(|&t| cx.piece(face, t).is_some())
+            else {
+                return;
+            };
+            let flood = || {
+                let (lift, stop) = cx.flood(face, start, &Silent);
+                let pieces: Vec<_> =
+                    lift.pieces.iter().map(|p| (p.face, p.tet, p.parent, p.parent_side)).collect();
+                (pieces, lift.corners, format!("{stop:?}"))
+            };
+            let (alone, together) = (one.install(flood), four.install(flood));
+            assert!(alone == together, "round {round}: {} and {}", alone.2, together.2);
+            complete += usize::from(alone.2 == "None");
+            violations += usize::from(alone.2.contains("Violation") && alone.0.len() > 500);
+        });
+    }
+    assert!(complete >= 10 && violations >= 10, "{complete} {violations}");
 }

@@ -3,6 +3,7 @@
 use std::fmt::{Display, Write as _};
 
 use dashu_int::IBig;
+use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use sha2::{Digest, Sha256};
 
@@ -42,6 +43,44 @@ impl Out {
         if let Some(count) = self.counts.last_mut() {
             *count += 1;
         }
+    }
+}
+
+/// Items that one core writes.
+const SHARE: usize = 1 << 12;
+
+impl Out {
+    /// A line for each item, all cores; the same text for any number of them.
+    fn facts<T: Sync>(&mut self, items: &[T], write: impl Fn(&mut String, &T) -> std::fmt::Result + Sync) {
+        let text = |items: &[T]| {
+            let mut text = String::new();
+            for item in items {
+                let _ = write(&mut text, item);
+                text.push('\n');
+            }
+            text
+        };
+        let parts: Vec<String> = items.par_chunks(SHARE).map(text).collect();
+        self.text.reserve(parts.iter().map(String::len).sum());
+        parts.iter().for_each(|part| self.text.push_str(part));
+        if let Some(count) = self.counts.last_mut() {
+            *count += items.len() as u64;
+        }
+    }
+}
+
+/// Items joined by a separator, written without a string of their own.
+struct List<'a, T>(&'a [T], char);
+
+impl<T: Display> Display for List<'_, T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (i, item) in self.0.iter().enumerate() {
+            if i > 0 {
+                f.write_char(self.1)?;
+            }
+            item.fmt(f)?;
+        }
+        Ok(())
     }
 }
 
@@ -156,9 +195,10 @@ fn header(subject: &Subject<'_>, facts: &Facts, out: &mut Out) {
         }
     }
     let shell = subject.shell;
-    out.line(format_args!("shell {} {} {}", shell_hash(shell), shell.middle.len(), shell.faces.len()));
-    if let Some(mesh) = subject.mesh {
-        out.line(format_args!("mesh {} {} {}", mesh_hash(mesh), mesh.vertices.len(), mesh.faces.len()));
+    let (of_shell, of_mesh) = rayon::join(|| shell_hash(shell), || subject.mesh.map(mesh_hash));
+    out.line(format_args!("shell {of_shell} {} {}", shell.middle.len(), shell.faces.len()));
+    if let Some((mesh, hash)) = subject.mesh.zip(of_mesh) {
+        out.line(format_args!("mesh {hash} {} {}", mesh.vertices.len(), mesh.faces.len()));
     }
     match subject.order {
         VertexOrder::Id => out.line(format_args!("order id")),
@@ -176,24 +216,27 @@ fn tet(bad: &BadTet, out: &mut Out) {
 /// Overlay vertices numbered by first use, cells in the order of the flood, and the two degree tests.
 fn overlay(lifts: &[Lift], out: &mut Out) {
     out.begin("overlay");
-    let mut ids: FxHashMap<Carriers, u32> = FxHashMap::default();
-    let mut cells = Vec::with_capacity(lifts.iter().map(|l| l.corners.len()).sum());
+    let count = lifts.iter().map(|l| l.corners.len()).sum();
+    let mut ids: FxHashMap<&Carriers, u32> = FxHashMap::default();
+    let (mut vertices, mut corners) = (Vec::new(), Vec::with_capacity(count));
     for (_, carriers) in lifts.iter().flat_map(|l| &l.corners) {
-        let next = ids.len() as u32;
-        let id = *ids.entry(*carriers).or_insert(next);
-        if id == next {
-            out.fact(format_args!("v {} {}", joined(carriers.mesh(), ","), names(carriers.shell())));
-        }
-        cells.push(id);
+        let id = *ids.entry(carriers).or_insert_with(|| {
+            vertices.push(carriers);
+            vertices.len() as u32 - 1
+        });
+        corners.push(id);
     }
-    let mut at = 0;
+    out.facts(&vertices, |text, v| write!(text, "v {} {}", List(v.mesh(), ','), List(v.shell(), ',')));
+    let mut cells = Vec::with_capacity(lifts.iter().map(|l| l.pieces.len()).sum());
+    let mut rest = corners.as_slice();
     for lift in lifts {
         for piece in 0..lift.pieces.len() as u32 {
-            let n = lift.corners_of(piece).len();
-            out.fact(format_args!("c {}", joined(&cells[at..at + n], " ")));
-            at += n;
+            let (cell, others) = rest.split_at(lift.corners_of(piece).len());
+            cells.push(cell);
+            rest = others;
         }
     }
+    out.facts(&cells, |text, cell| write!(text, "c {}", List(cell, ' ')));
     // The first piece of each lift has passed the degree test in both charts.
     let mut cell = 0;
     let mut firsts = Vec::with_capacity(lifts.len());
@@ -236,9 +279,7 @@ fn planes(planes: &[PlaneName]) -> String {
 
 fn disjoint(part: &Disjoint, out: &mut Out) {
     if part.crossings.is_empty() {
-        for (i, j, list) in &part.separations {
-            out.fact(format_args!("sep {i} {j} {}", planes(list)));
-        }
+        out.facts(&part.separations, |text, (i, j, list)| write!(text, "sep {i} {j} {}", List(list, ' ')));
     }
     for c in &part.crossings {
         let (a, b) = (joined(&c.in_first, " "), joined(&c.in_second, " "));

@@ -1,7 +1,7 @@
 //! Signs of 2x2 and 3x3 determinants whose rows are differences of input points.
 //!
-//! Stages: [`filter3`]/[`filter2`] in floating point, then integers of fixed width, then big
-//! integers. All three see the same matrix: row `k` is `points[j] - points[i]` for `(i, j) = rows[k]`.
+//! Stages: [`filter3`]/[`filter2`] in floating point, then integers of fixed width (of one word a coordinate in
+//! [`word`](super::word), of two and five here), then big integers. All see the same matrix: row `k` is `points[j] - points[i]` for `(i, j) = rows[k]`.
 //!
 //! # Notation of the proofs
 //!
@@ -147,8 +147,7 @@ impl<const N: usize> Integers<N, 3> {
     /// Stage 2 where the integers are narrow enough, else stage 3.
     pub(super) fn sign(&self, rows: Rows<3>) -> (Sign, Stage) {
         match self.bits {
-            0..=61 => (self.sign_fixed::<1, 2, 3>(rows), Stage::Fixed),
-            62..=125 => (self.sign_fixed::<2, 4, 6>(rows), Stage::Fixed),
+            0..=125 => (self.sign_fixed::<2, 4, 6>(rows), Stage::Fixed),
             126..=317 => (self.sign_fixed::<5, 10, 15>(rows), Stage::Fixed),
             _ => (self.sign_big(rows), Stage::Big),
         }
@@ -183,8 +182,7 @@ impl<const N: usize> Integers<N, 2> {
     /// Stage 2 where the integers are narrow enough, else stage 3.
     pub(super) fn sign(&self, rows: Rows<2>) -> (Sign, Stage) {
         match self.bits {
-            0..=61 => (self.sign_fixed::<1, 2>(rows), Stage::Fixed),
-            62..=125 => (self.sign_fixed::<2, 4>(rows), Stage::Fixed),
+            0..=125 => (self.sign_fixed::<2, 4>(rows), Stage::Fixed),
             126..=317 => (self.sign_fixed::<5, 10>(rows), Stage::Fixed),
             _ => (self.sign_big(rows), Stage::Big),
         }

@@ -15,6 +15,7 @@ mod sphere;
 mod stage;
 #[cfg(test)]
 pub(crate) mod tests;
+mod word;
 
 pub use meeting::{Meeting, segment_segment, segment_triangle, triangle_tet, triangle_triangle};
 pub use orient::{

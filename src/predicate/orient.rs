@@ -1,7 +1,7 @@
 //! Orientation signs of points and of vectors between points.
 
 use super::determinant::{Integers, Rows, filter2, filter3};
-use super::{Sign, Stage};
+use super::{Sign, Stage, word};
 
 /// Rows of [`orient3d`] over the points `a, b, c, d`.
 const TET: Rows<3> = [(0, 1), (0, 2), (0, 3)];
@@ -143,6 +143,9 @@ pub fn det_sign_exact(u: [&[f64; 3]; 2], v: [&[f64; 3]; 2], w: [&[f64; 3]; 2]) -
 #[cold]
 #[inline(never)]
 fn unfiltered3<const N: usize>(points: [&[f64; 3]; N], rows: Rows<3>) -> (Sign, Stage) {
+    if let Some(sign) = word::sign3(points, rows) {
+        return (sign, Stage::Fixed);
+    }
     // Repeated points and planes along the axes are common: a zero row or column needs no arithmetic.
     let mut axis_differs = [false; 3];
     let mut zero_row = false;
@@ -189,6 +192,9 @@ pub fn orient2d_exact(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], drop: Axis) -> S
 #[cold]
 #[inline(never)]
 fn unfiltered2(points: [[f64; 2]; 3]) -> (Sign, Stage) {
+    if let Some(sign) = word::sign2(points.each_ref(), TRIANGLE) {
+        return (sign, Stage::Fixed);
+    }
     Integers::new([points.map(|p| p[0]), points.map(|p| p[1])]).sign(TRIANGLE)
 }
 

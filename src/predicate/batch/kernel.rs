@@ -28,12 +28,71 @@ pub(crate) fn gather<const N: usize>(vertices: &[[f64; 3]], inputs: &[[u32; N]])
     out
 }
 
+/// The signs of a block of inputs that are indices of vertices; row `k` of the matrix is vertex `j` minus vertex `i` of the input,
+/// `(i, j) = rows[k]`.
+#[inline(always)]
+pub(crate) fn filter3_indexed<const N: usize>(
+    vertices: &[[f64; 3]],
+    inputs: &[[u32; N]],
+    rows: [(usize, usize); 3],
+) -> [i8; LANES] {
+    let flat = vertices.as_flattened();
+    let (left, right) = inputs.split_at(HALF);
+    // Half a block has its nine rows in registers.
+    let mut out = [0; LANES];
+    if let (Some([p, q, r]), Some([s, t, u])) =
+        (differences(flat, left, rows), differences(flat, right, rows))
+    {
+        out[..HALF].copy_from_slice(&filter3::<HALF>(&p, &q, &r));
+        out[HALF..].copy_from_slice(&filter3::<HALF>(&s, &t, &u));
+        return out;
+    }
+    let points = gather(vertices, inputs);
+    let [p, q, r] = rows.map(|(i, j)| minus(&points[j], &points[i]));
+    filter3(&p, &q, &r)
+}
+
+const HALF: usize = LANES / 2;
+
+/// The rows of half a block. Four numbers are read for a point and subtracted at once, the first of the next point among them:
+/// so there are four loads an input in place of twelve, and the compiler transposes in registers. `None` if an input has the last
+/// vertex, after which there is no number.
+#[inline(always)]
+fn differences<const N: usize>(
+    flat: &[f64],
+    inputs: &[[u32; N]],
+    rows: [(usize, usize); 3],
+) -> Option<[[[f64; HALF]; 3]; 3]> {
+    let mut by_input = [[[0.0; 4]; HALF]; 3];
+    for (l, ids) in inputs.iter().enumerate().take(HALF) {
+        let mut points = [[0.0; 4]; N];
+        for (point, id) in points.iter_mut().zip(ids) {
+            let start = 3 * *id as usize;
+            *point = *flat.get(start..start + 4)?.first_chunk()?;
+        }
+        for (out, (i, j)) in by_input.iter_mut().zip(rows) {
+            for axis in 0..4 {
+                out[l][axis] = points[j][axis] - points[i][axis];
+            }
+        }
+    }
+    let mut out = [[[0.0; HALF]; 3]; 3];
+    for (out, by_input) in out.iter_mut().zip(by_input) {
+        for (l, row) in by_input.iter().enumerate() {
+            for axis in 0..3 {
+                out[axis][l] = row[axis];
+            }
+        }
+    }
+    Some(out)
+}
+
 /// The sign of `det[p, q, r]` as 1 or -1 where the filter decides, 0 where it does not. Rows are ROUNDED differences; the bound
 /// is proved at `determinant::filter3`.
 #[inline(always)]
-pub(crate) fn filter3(p: &Row, q: &Row, r: &Row) -> [i8; LANES] {
-    let mut out = [0; LANES];
-    for l in 0..LANES {
+pub(crate) fn filter3<const L: usize>(p: &[[f64; L]; 3], q: &[[f64; L]; 3], r: &[[f64; L]; 3]) -> [i8; L] {
+    let mut out = [0; L];
+    for l in 0..L {
         let (q1r2, q2r1) = (q[1][l] * r[2][l], q[2][l] * r[1][l]);
         let (q2r0, q0r2) = (q[2][l] * r[0][l], q[0][l] * r[2][l]);
         let (q0r1, q1r0) = (q[0][l] * r[1][l], q[1][l] * r[0][l]);

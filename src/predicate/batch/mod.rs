@@ -23,7 +23,7 @@ mod tests;
 pub use level::Level;
 
 use super::{Sign, StageCounts, dot_sign_staged, orient3d_staged};
-use kernel::{LANES, Row, ZERO, filter3, gather, minus};
+use kernel::{LANES, Row, ZERO, filter3, filter3_indexed, minus};
 
 /// One point of every input: its coordinates by axis, input `i` at index `i` of each.
 #[derive(Clone, Copy, Debug)]
@@ -177,10 +177,7 @@ pub fn orient3d_indexed_at(
         level,
         signs,
         #[inline(always)]
-        |i: usize| {
-            let [a, b, c, d] = gather(vertices, &inputs[i..i + LANES]);
-            filter3(&minus(&b, &a), &minus(&c, &a), &minus(&d, &a))
-        },
+        |i: usize| filter3_indexed(vertices, &inputs[i..i + LANES], [(0, 1), (0, 2), (0, 3)]),
         exact,
     ))
 }
@@ -216,10 +213,7 @@ pub fn dot_sign_indexed_at(
         level,
         signs,
         #[inline(always)]
-        |i: usize| {
-            let [a, b, c, s, t] = gather(vertices, &inputs[i..i + LANES]);
-            filter3(&minus(&b, &a), &minus(&c, &a), &minus(&t, &s))
-        },
+        |i: usize| filter3_indexed(vertices, &inputs[i..i + LANES], [(0, 1), (0, 2), (3, 4)]),
         exact,
     ))
 }

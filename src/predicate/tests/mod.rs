@@ -5,3 +5,4 @@ mod orient;
 mod ray;
 mod sphere;
 mod table;
+mod word;

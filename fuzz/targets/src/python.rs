@@ -31,7 +31,7 @@ static WORKER: LazyLock<Mutex<Option<Worker>>> = LazyLock::new(|| Mutex::new(Wor
 
 impl Worker {
     fn new() -> Option<Self> {
-        let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("../reference");
+        let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reference");
         let mut command = Command::new("python3");
         command.args(["-B", "-c", PROGRAM]).arg(scripts).stdin(Stdio::piped()).stdout(Stdio::piped());
         let Ok(mut child) = command.spawn() else {

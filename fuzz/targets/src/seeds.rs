@@ -20,7 +20,7 @@ impl Random {
 }
 
 fn patch(file: &str) -> Vec<u8> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../certs/corpus/patch").join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../certs/corpus/patch").join(file);
     fs::read(path).expect("the corpus has this control")
 }
 

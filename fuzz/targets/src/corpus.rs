@@ -23,12 +23,12 @@ pub struct Control {
 pub struct Corpus(pub Vec<Control>);
 
 /// Certificates about shells.
-pub static SHELLS: LazyLock<Corpus> = LazyLock::new(|| Corpus::read("corpus", "mutants.tsv"));
+pub(crate) static SHELLS: LazyLock<Corpus> = LazyLock::new(|| Corpus::read("corpus", "mutants.tsv"));
 /// Certificates about meshes.
-pub static MESHES: LazyLock<Corpus> = LazyLock::new(|| Corpus::read("corpus-meshes", "table.tsv"));
+pub(crate) static MESHES: LazyLock<Corpus> = LazyLock::new(|| Corpus::read("corpus-meshes", "table.tsv"));
 
 fn folder(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../certs").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../certs").join(name)
 }
 
 /// The lines of a certificate that choose an order.

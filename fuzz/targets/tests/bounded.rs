@@ -1,9 +1,10 @@
 //! Regressions, and a bounded number of random mutations of seeds, on a stable toolchain.
+#![allow(clippy::unwrap_used)]
 
 use std::fs;
 use std::path::Path;
 
-use homeo_fuzz::{Random, seeds};
+use homeo_fuzz_targets::{Random, seeds};
 
 /// One to four random edits: a bit flip, a byte, a removal, a copied run, a cut.
 fn mutated(seed: &[u8], random: &mut Random) -> Vec<u8> {
@@ -27,8 +28,8 @@ fn mutated(seed: &[u8], random: &mut Random) -> Vec<u8> {
 }
 
 fn run(name: &str, rounds: usize) {
-    let (_, target) = homeo_fuzz::TARGETS.into_iter().find(|(n, _)| *n == name).unwrap();
-    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("regressions").join(name);
+    let (_, target) = homeo_fuzz_targets::TARGETS.into_iter().find(|(n, _)| *n == name).unwrap();
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../regressions").join(name);
     for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
         target(&fs::read(entry.path()).unwrap());
     }
@@ -104,13 +105,13 @@ fn seeds_are_what_the_targets_take() {
 
 #[test]
 fn every_target_has_an_entry() {
-    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz_targets");
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz_targets");
     let mut names: Vec<String> = fs::read_dir(dir)
         .unwrap()
         .map(|e| e.unwrap().path().file_stem().unwrap().to_str().unwrap().to_owned())
         .collect();
     names.sort();
-    let mut targets = homeo_fuzz::TARGETS.map(|(name, _)| name.to_owned());
+    let mut targets = homeo_fuzz_targets::TARGETS.map(|(name, _)| name.to_owned());
     targets.sort();
     assert_eq!(names, targets);
 }

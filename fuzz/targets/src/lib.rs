@@ -2,6 +2,7 @@
 //!
 //! `cargo fuzz run NAME --features libfuzzer` explores; `cargo test` runs the regressions and a bounded number of random
 //! mutations on a stable toolchain.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // What a target panics about is what it finds.
 
 mod checkers;
 mod corpus;
