@@ -203,14 +203,16 @@ def distorted(rng, cert, meshes):
     for _ in range(rng.choice([1, 1, 2])):
         kind = rng.random()
         try:
-            if kind < 0.6:
+            if kind < 0.35 and b"\nbegin overlay\n" in cert:
+                cert = distort.overlay(rng, cert)
+            elif kind < 0.7:
                 meshes = distort.coordinates(rng, meshes)
-            elif kind < 0.8:
+            elif kind < 0.85:
                 meshes = distort.faces(rng, meshes)
             else:
                 cert, meshes = distort.vertices(rng, cert, meshes)
         except (ValueError, IndexError, OverflowError):
-            continue  # an input of the corpus that is no regular file
+            continue  # an input of the corpus that is no regular file, or nothing is left to change
     return cert, meshes
 
 

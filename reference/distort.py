@@ -2,7 +2,8 @@
 
 Coordinates are stretched by powers of two (another one for each axis), moved, turned by one unit in the last place, and
 put beside far points, whose leading bits take those of the others away. Vertices get other numbers and faces another
-order, in the certificate too. Cases are (certificate, bottom, middle, top, mesh), in bytes.
+order, in the certificate too. Cells of an overlay are turned, divided, fused and dropped, carriers shifted and changed.
+Cases are (certificate, bottom, middle, top, mesh), in bytes.
 """
 import math
 import re
@@ -131,3 +132,97 @@ def shell_names(text, new, at):
         return "pinched " + " ".join([count, *map(str, sorted(at(int(v)) for v in ids))])
     text = re.sub(r"^pinched (.*)$", pinched, text, flags=re.M)
     return re.sub(r"^first (.*)$", lambda m: "first " + " ".join(str(at(int(v))) for v in m[1].split(" ")), text, flags=re.M)
+
+
+# ------------------------------------------------- the overlay
+def overlay(rng, cert):
+    """One to three changes of the rows of an overlay; most keep each row within the grammar, some keep the whole valid."""
+    rows = cert.decode("latin-1").split("\n")
+    start = rows.index("begin overlay") + 1  # ValueError if there is none
+    block = [row.split(" ") for row in rows[start:]]
+    v, c, d = ([row for row in block if row[0] == word] for word in "vcd")
+    for _ in range(rng.choice([1, 1, 2, 3])):
+        rng.choice([renumber, turn, divide, fuse, drop, twice, shift, carrier, lift, degree])(rng, v, c, d)
+    new = [" ".join(row) for row in [*v, *c, *d]]
+    stop = start + len([row for row in block if row[0] in "vcd"])
+    return "\n".join(rows[:start] + new + rows[stop:]).encode("latin-1")
+
+
+def renumber(rng, v, c, _):
+    order = list(range(len(v)))
+    rng.shuffle(order)
+    v[:] = [v[i] for i in order]
+    place = {str(old): str(new) for new, old in enumerate(order)}
+    c[:] = [["c", *(place.get(x, x) for x in row[1:])] for row in c]
+
+
+def turn(rng, _v, c, _d):
+    row = rng.choice(c)
+    k = rng.randrange(1, len(row))
+    row[1:] = row[:0:-1] if rng.random() < 0.2 else row[k:] + row[1:k]
+
+
+def divide(rng, _v, c, _d):
+    """A polygon into two; `d` lines may then be about something else."""
+    long = [row for row in c if len(row) > 4]
+    if long:
+        row = rng.choice(long)
+        at = rng.randrange(3, len(row) - 1)
+        c.insert(c.index(row) + 1, ["c", row[1], *row[at:]])
+        del row[at + 1:]
+
+
+def fuse(rng, _v, c, _d):
+    """Two cells with a common edge into one polygon."""
+    one, two = rng.choice(c), rng.choice(c)
+    for a, b in zip(one[1:], one[2:] + one[1:2]):
+        if one is not two and a in two and b in two:
+            i, j = one.index(a), two.index(b)
+            if (two[1:] * 2)[j] == a:
+                rest = (two[1:] * 2)[j + 1:j + len(two) - 2]
+                one[i + 1:i + 1] = rest
+                c[:] = [row for row in c if row is not two]
+                return
+
+
+def drop(rng, v, c, d):
+    rows = rng.choice([v, c, c, c, d])
+    if len(rows) > 1:
+        del rows[rng.randrange(len(rows))]
+
+
+def twice(rng, _, c, d):
+    rows = rng.choice([c, c, d])
+    rows.insert(rng.randrange(len(rows) + 1), list(rng.choice(rows)))
+
+
+def shift(rng, v, _c, _d):
+    """The carriers on one side, each to the next row."""
+    a = rng.randrange(len(v))
+    some, side = v[a:a + rng.choice([2, 2, 3, len(v)])], rng.choice([1, 2])
+    for row, value in zip(some, [row[side] for row in some[1:] + some[:1]]):
+        row[side] = value
+
+
+def carrier(rng, v, _c, _d):
+    """A carrier with an item more or less, or that of another row."""
+    row, side = rng.choice(v), rng.choice([1, 2])
+    items = row[side].split(",")
+    key = (lambda x: (int(x), "")) if side == 1 else (lambda x: (int(x[1:]), x[0]))
+    other = rng.choice(v)[side].split(",")
+    kind = rng.randrange(3)
+    new = {*items, *other} if kind == 0 else set(rng.sample(items, max(1, len(items) - 1))) if kind == 1 else {*other}
+    row[side] = ",".join(sorted(new, key=key))
+
+
+def lift(rng, v, _c, _d):
+    """All names of a row, or of all rows, one layer up or down, or with another layer."""
+    letters = str.maketrans("bmt", rng.choice(["mtt", "bbm", "mtb", "tmb", "bmm", "mmt"]))
+    for row in [rng.choice(v)] if rng.random() < 0.7 else v:
+        row[2] = row[2].translate(letters)
+
+
+def degree(rng, _, c, d):
+    row = rng.choice(d)
+    row[2] = str(rng.randrange(len(c)))
+    row[3] = str(rng.randrange(max(1, len(c[int(row[2])]) - 3)))
