@@ -141,10 +141,10 @@ def overlay(rng, cert):
     start = rows.index("begin overlay") + 1  # ValueError if there is none
     block = [row.split(" ") for row in rows[start:]]
     v, c, d = ([row for row in block if row[0] == word] for word in "vcd")
+    stop = start + len(v) + len(c) + len(d)
     for _ in range(rng.choice([1, 1, 2, 3])):
         rng.choice([renumber, turn, divide, fuse, drop, twice, shift, carrier, lift, degree])(rng, v, c, d)
     new = [" ".join(row) for row in [*v, *c, *d]]
-    stop = start + len([row for row in block if row[0] in "vcd"])
     return "\n".join(rows[:start] + new + rows[stop:]).encode("latin-1")
 
 
