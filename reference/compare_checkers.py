@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Looks for files that the two checkers answer differently: python3 compare_checkers.py HOMEO_CHECK [options]
 
-Takes certificates and inputs of certs/corpus, changes them at random (bytes, tokens, lines, coordinates, faces; most
-often with counts and hashes made right again, so that the rules are reached), and compares exit code, error code and
-claims of the Rust program HOMEO_CHECK and of check.py. A difference is made small and printed.
+Takes certificates and inputs of certs/corpus or invents small ones (invent.py), changes them at random (bytes, tokens,
+lines, coordinates, faces, or as distort.py says; most often with counts and hashes made right again, so that the rules
+are reached), and compares exit code, error code and claims of the Rust program HOMEO_CHECK and of check.py. A difference
+is made small and printed.
 Exit code: 0 none found, 1 differences, 2 usage.
 """
 import argparse
@@ -21,6 +22,8 @@ sys.path[:0] = [str(HERE), str(CORPUS)]
 sys.dont_write_bytecode = True
 
 import check  # noqa: E402  the path is set above
+import distort  # noqa: E402
+import invent  # noqa: E402
 import make_mutants  # noqa: E402
 
 INPUTS = make_mutants.INPUTS
@@ -169,6 +172,10 @@ def scale(rng, meshes):
 def mutate(rng, case, others):
     """Some changes of a case (certificate, four inputs); most often with counts and hashes made right again."""
     cert, *meshes = case
+    if None not in meshes and rng.random() < 0.5:
+        cert, meshes = distorted(rng, cert, meshes)
+        if rng.random() < 0.7:
+            return fit(rng, (cert, *meshes), 0.98)
     for _ in range(rng.choice([1, 1, 1, 2, 3])):
         kind = rng.random()
         try:
@@ -191,12 +198,30 @@ def mutate(rng, case, others):
     return fit(rng, (cert, *meshes))
 
 
-def fit(rng, case):
+def distorted(rng, cert, meshes):
+    """One or two changes after which the certificate may still be valid."""
+    for _ in range(rng.choice([1, 1, 2])):
+        kind = rng.random()
+        try:
+            if kind < 0.35 and b"\nbegin overlay\n" in cert:
+                cert = distort.overlay(rng, cert)
+            elif kind < 0.7:
+                meshes = distort.coordinates(rng, meshes)
+            elif kind < 0.85:
+                meshes = distort.faces(rng, meshes)
+            else:
+                cert, meshes = distort.vertices(rng, cert, meshes)
+        except (ValueError, IndexError, OverflowError):
+            continue  # an input of the corpus that is no regular file, or nothing is left to change
+    return cert, meshes
+
+
+def fit(rng, case, often=0.9):
     """Makes counts and hashes right, most often."""
     cert, *meshes = case
-    if rng.random() < 0.9:
+    if rng.random() < often:
         cert = again(cert, make_mutants.recount)
-    if rng.random() < 0.9 and None not in meshes:
+    if rng.random() < often and None not in meshes:
         text = {name: mesh.decode("latin-1") for name, mesh in zip(INPUTS, meshes)}
         if any(len(t) < 5 for t in text.values()):
             return (cert, *meshes)
@@ -261,8 +286,8 @@ def show(case, original, found, name):
 
 
 # ------------------------------------------------- cases
-def load():
-    """Cases to start from: the controls, the accepted rows and the invalid ones, as (name, case)."""
+def load(also=None):
+    """Cases to start from: the controls, the accepted rows and the invalid ones, as (name, case); controls come first."""
     cases = []
     for line in (CORPUS / "mutants.tsv").read_text("ascii").splitlines()[1:]:
         control, mutant, inputs, status, _, _ = line.split("\t")
@@ -270,8 +295,9 @@ def load():
         if status in "01" and len(names) in (3, 4):
             cases.append((control, mutant, names))
     controls = [(p.parent.name, "control", [f"{part}.off" for part in INPUTS]) for p in CORPUS.glob("*/control.cert")]
+    controls += [(p.parent, "control", [f"{part}.off" for part in INPUTS]) for p in pathlib.Path(also).glob("*/control.cert")] if also else []
     found = []
-    for control, mutant, names in sorted(controls) + cases:
+    for control, mutant, names in sorted(controls, key=str) + cases:
         parts = [(CORPUS / control / name).read_bytes() for name in [f"{mutant}.cert", *names]]
         found.append((f"{control}/{mutant}", tuple(parts + [None] * (5 - len(parts)))))
     return found, len(controls)
@@ -283,19 +309,22 @@ def main():
     parser.add_argument("--seconds", type=float, default=20)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--most", type=int, default=5, help="stop after so many different kinds of difference")
+    parser.add_argument("--also", help="a folder of further controls: `*/control.cert` with the four OFF files beside it")
     parser.add_argument("--save", help="a folder for the small examples")
     options = parser.parse_args()
     rng = random.Random(options.seed)
-    cases, controls = load()
+    cases, controls = load(options.also)
     others = sorted({line for name, case in cases[:controls] for line in case[0].decode("latin-1").split("\n")[:400]})
     stop, kinds = time.monotonic() + options.seconds, {}
     with tempfile.TemporaryDirectory() as folder:
         pair = Pair(options.program, folder)
         while time.monotonic() < stop and len(kinds) < options.most:
             name, original = cases[rng.randrange(controls)] if rng.random() < 0.6 else rng.choice(cases)
+            if rng.random() < 0.25:
+                name, original = "invent.py", invent.invent(rng)
             if name.startswith("ball/") and rng.random() < 0.9:
                 continue  # slow
-            case = mutate(rng, original, others)
+            case = original if name == "invent.py" and rng.random() < 0.5 else mutate(rng, original, others)
             if rng.random() < 0.8 and not fits_grammar(case[0]):
                 continue  # most changes break the grammar; a part of those is enough
             found = pair.ask(case)

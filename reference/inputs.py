@@ -5,7 +5,7 @@ A file that does not fit raises an exception of WRONG.
 """
 import itertools, re, struct
 
-LIMIT = 2 ** 30
+LIMIT, MANY = 2 ** 30, 4096
 WRONG = ArithmeticError, AttributeError, LookupError, OSError, TypeError, ValueError, struct.error
 
 def fit(condition, why):
@@ -19,7 +19,7 @@ def read_file(path):
 
 # ---- section 5: OFF and OBJ
 DECIMAL, INDEX = rb"\s+([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)", rb"\s+0*([0-9]{1,10})"
-OFF_HEAD = re.compile(rb"\s*OFF" + 2 * INDEX + rb"\s+[0-9]+(?!\S)").match
+OFF_HEAD = re.compile(rb"\s*OFF" + 2 * rb"\s+(0|[1-9][0-9]{0,9})" + rb"\s+[0-9]+(?!\S)").match
 OFF_ROWS = (re.compile(3 * DECIMAL + rb"(?!\S)").match, re.compile(rb"\s+3" + 3 * INDEX + rb"(?!\S)[^\n]*").match)
 OBJ_ROWS = (re.compile(rb"\s*v" + 3 * DECIMAL + rb"(?!\S)").match,
             re.compile(rb"\s*f" + 3 * (INDEX + rb"(?:/\S*)?") + rb"\s*").fullmatch)
@@ -55,7 +55,7 @@ def read_hdf5(data):
             while left and at + 8 <= end:
                 kind, length, flags = get("<HHB", at)
                 at, left = at + 8 + length, left - 1
-                fit(at <= end and not (flags & 2 and kind in (1, 3, 8, 0x11)), "message")
+                fit(at <= end and not (flags & 2 and kind in (1, 3, 8, 0x10, 0x11)), "message")
                 found.setdefault(kind, data[at - length:at])
                 todo += [struct.unpack_from("<QQ", data[at - length:at])] if kind == 0x10 else []
         return found
@@ -67,7 +67,7 @@ def read_hdf5(data):
         layout, where, length = struct.unpack_from("<2sQQ", found[8])
         ieee = struct.pack("<2H4BI", 0, 64, 52, 11, 0, 52, 1023)
         good = (kind & 15, order & 1, form) == (0, 0, b"\0\0\x20\0")
-        if code == "d": good = (kind & 15, order & 65, found[3][8:20]) == (1, 0, ieee)
+        if code == "d": good = (found[3][:4], found[3][8:20]) == (b"\x11\x20\x3f\0", ieee)
         fit(good and bytes_each == size and (space, three) == (b"\1\2", 3) and not {7, 0xB} & {*found}, "dataset")
         fit((layout, length) == (b"\3\1", 3 * n * size) and (n == 0 or where + length <= len(data)), "layout")
         return list(struct.iter_unpack("<3" + code, data[where:where + length] if n else b""))
@@ -76,16 +76,17 @@ def read_hdf5(data):
     magic, size, start = get("<5s3xQ8xQ", heap)
     fit((signature, sizes, base) == (b"\x89HDF\r\n\x1a\n\0", b"\x08\x08", 0), "not classic HDF5")
     fit(magic == b"HEAP\0" and start + size <= len(data), "heap")
-    names, objects, todo, done = data[start:start + size], {}, [tree], set()
-    for node in todo:
-        magic, kind, count = get("<4sBxH", node)
-        fit(node not in done and (magic == b"SNOD" or (magic, kind) == (b"TREE", 0)), "group")
+    names, objects, todo, done, room = data[start:start + size], {}, [(tree, 256)], set(), size  # names do not overlap
+    for node, below in todo:
+        magic, kind, level, count = get("<4sBBH", node)
+        fit(node not in done and (magic, kind) == ((b"TREE", 0) if below else (b"SNOD", 1)), "group")
+        fit(not below or level < below and len(todo) + count <= MANY + 1, "tree")
         done.add(node)
-        todo += [get("<Q", node + 32 + 16 * k)[0] for k in range(count if magic == b"TREE" else 0)]
-        for start, where in [get("<QQ", node + 8 + 40 * k) for k in range(count if magic == b"SNOD" else 0)]:
-            name = names[start:names.index(b"\0", start)]
-            fit(name not in objects, "name used twice")
-            objects[name] = where
+        todo += [(*get("<Q", node + 32 + 16 * k), level) for k in range(count if below else 0)]
+        for start, where in [get("<QQ", node + 8 + 40 * k) for k in range(0 if below else count)]:
+            name = names[start:names.index(b"\0", start, start + room)]
+            fit(name not in objects and len(objects) < MANY, "name used twice, or too many")
+            objects[name], room = where, room - len(name) - 1
     return lambda points, faces: (rows(points, "d"), rows(faces, "i"))
 
 # ---- "Inputs" of section 3

@@ -123,7 +123,7 @@ class Checks(unittest.TestCase):
             self.assertEqual(first(good, *(layers * 2)[:count]), "malformed input")
         text = off(PRISM[0][0], PRISM[1])
         for bad in ("", "OFF", "OFF 1099511627776 1 0\n0 0 0\n", "OFF 3 1099511627776 0\n", b"\xff" * 1000, b"1" * 10**7,
-                    b"OFF " + b"9" * 10**6, text.replace("4.0", "nan"), text.replace("4.0", "1e999"),
+                    b"OFF " + b"9" * 10**6, text.replace("3 1 0", "03 1 0"), text.replace("3 1 0", "3 01 0"), text.replace("4.0", "nan"), text.replace("4.0", "1e999"),
                     text.replace("4.0", "4_0"), text.replace("3 0 1 2", "3 0 1 3"), text.replace("3 0 1 2", "4 0 1 2 3"),
                     "v 0 0 0\nf 1 2 3\n", "v 0 0\n", "v 0 0 0\nf 0 1 1\n", "v 1e0 inf 0\n", "v 0x1 0 0\n"):
             self.assertEqual(first(good, self.write("bad", bad), *layers[1:]), "malformed input", bad[:40])
@@ -137,6 +137,14 @@ class Checks(unittest.TestCase):
         data, points = hdf5(PRISM), PRISM[0]
         good = self.write("good", certificate(PRISM, (PRISM[0][1], PRISM[1]), ["disjoint-mesh"], [("disjoint-mesh", "")]))
         self.assertEqual(check.run([good, self.write("s.h5", data)])[1].split("\n")[0], "valid", points)
+        # Names may overlap as long as they are no longer than the heap together: 64 bytes, 29 of them for the datasets.
+        extra = [25, 26, 27, 28, 41, 42, 43, 44, 49, 52]
+        for n, status in ((9, 0), (10, 0), (11, 2)):
+            self.assertEqual(check.run([good, self.write("n.h5", hdf5(PRISM, [*extra, 50][:n]))])[0], status, n)
+        at = data.index(b"\x11\x20\x3f\0\x08")  # a double of another version, mantissa or sign bit is no IEEE double
+        for i, value in enumerate((0x31, 0x10, 62, 1)):
+            changed = data[:at + i] + bytes([value]) + data[at + i + 1:]
+            self.assertEqual(check.run([good, self.write("i.h5", changed)])[0], 2, i)
         for n in range(len(data)):
             status, _ = check.run([good, self.write("t.h5", data[:n])])
             self.assertEqual(status, 2)
@@ -497,15 +505,15 @@ def rank(columns):
 TETRA_INPUT = ([[tuple(map(float, p)) for p in layer] for layer in TETRA[0]], TETRA[1], [tuple(map(float, p)) for p in M4], TETRA[1])
 
 
-def hdf5(shell):
-    """A classic HDF5 file with the shell's datasets, and its middle surface as the mesh."""
+def hdf5(shell, extra=()):
+    """A classic HDF5 file with the shell's datasets, its middle surface as the mesh, and names from these places of the heap on."""
     u = lambda n, size: n.to_bytes(size, "little")
     flat = lambda code, rows: b"".join(struct.pack("<3" + code, *r) for r in rows)
     (b, m, t), prisms = shell
     sets = [(b"mF", "i", prisms), (b"mV", "d", m), (b"mbase", "d", b), (b"mtop", "d", t), (b"ref.F", "i", prisms), (b"ref.V", "d", m)]
     message = lambda kind, body: u(kind, 2) + u(len(body), 2) + bytes(4) + body
     header = lambda *messages: u(1, 2) + u(len(messages), 2) + u(1, 4) + u(sum(map(len, messages)), 4) + bytes(4) + b"".join(messages)
-    root, tree, heap, snod, names = 96, 136, 184, 216, 472
+    root, tree, heap, snod, names = 96, 136, 184, 216, 472 + 40 * len(extra)
     at, out, table, offsets = names + 64, b"", b"", []
     for name, code, rows in sets:
         size = 8 if code == "d" else 4
@@ -522,12 +530,13 @@ def hdf5(shell):
     for (name, _, _), where in zip(sets, offsets):
         table += u(len(heap_data), 8) + u(where, 8) + bytes(24)
         heap_data += name.ljust(8, b"\0")
+    table += b"".join(u(at, 8) + bytes(32) for at in extra)
     file = b"\x89HDF\r\n\x1a\n" + bytes(5) + b"\x08\x08\0" + u(4, 2) + u(16, 2) + bytes(4) + u(0, 8) + b"\xff" * 8 + u(at, 8) + b"\xff" * 8
     file += u(0, 8) + u(root, 8) + u(1, 4) + bytes(4) + u(tree, 8) + u(heap, 8)
     file += header(message(0x11, u(tree, 8) + u(heap, 8)))
     file = file.ljust(tree, b"\0") + b"TREE\0\0" + u(1, 2) + b"\xff" * 16 + u(0, 8) + u(snod, 8) + u(8, 8)
     file = file.ljust(heap, b"\0") + b"HEAP" + bytes(4) + u(64, 8) + u(1, 8) + u(names, 8)
-    file = file.ljust(snod, b"\0") + b"SNOD\1\0" + u(len(sets), 2) + table
+    file = file.ljust(snod, b"\0") + b"SNOD\1\0" + u(len(sets) + len(extra), 2) + table
     return file.ljust(names, b"\0") + heap_data.ljust(64, b"\0") + out
 
 

@@ -101,14 +101,14 @@ impl Complex {
     }
 
     /// The triangles that have all the ids (at least one) as corners; some exactly if the ids are a simplex.
-    pub(crate) fn holding<'a>(&'a self, ids: &'a [usize]) -> impl Iterator<Item = usize> + 'a {
-        let first = ids.first().copied();
-        let pair = first.zip(ids.iter().copied().find(|b| Some(*b) != first));
+    pub(crate) fn holding<'a>(&'a self, ids: impl AsRef<[usize]> + 'a) -> impl Iterator<Item = usize> + 'a {
+        let first = ids.as_ref().first().copied();
+        let pair = first.zip(ids.as_ref().iter().copied().find(|b| Some(*b) != first));
         // Those on both sides of an edge, or all at a vertex.
         let star = first.filter(|_| pair.is_none()).map_or(&[][..], |a| self.edges[a].as_slice());
         let both = pair.into_iter().flat_map(|(a, b)| [self.across(a, b), self.across(b, a)]).flatten();
         let all = star.iter().map(|edge| edge.1 as usize).chain(both);
-        all.filter(|&t| ids.iter().all(|v| self.triangles[t].contains(v)))
+        all.filter(move |&t| ids.as_ref().iter().all(|v| self.triangles[t].contains(v)))
     }
 
     /// The triangle with exactly these corners, ascending.

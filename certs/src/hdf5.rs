@@ -2,13 +2,27 @@
 
 use crate::Set;
 use crate::input::{Bits, Mesh, Shell, validate};
+use std::collections::VecDeque;
 
 type Read<T> = Result<T, String>;
 
-/// More symbol-table nodes and names than any shell file has.
+/// As many nodes below the tree's first one as are read, and as many names.
 const BUDGET: usize = 4096;
 
 struct File<'a>(&'a [u8]);
+
+/// A message of an object header.
+struct Message {
+    kind: u64,
+    /// The address of its content, and the bytes that this has.
+    body: u64,
+    size: u64,
+}
+
+/// Where the first message of a kind has its content, if that is long enough.
+fn body(messages: &[Message], kind: u64, least: u64) -> Option<u64> {
+    messages.iter().find(|m| m.kind == kind).filter(|m| m.size >= least).map(|m| m.body)
+}
 
 /// An object header's data: address, rows.
 struct Dataset<'a> {
@@ -65,22 +79,21 @@ impl<'a> File<'a> {
         self.expect(13, &[8, 8])?;
         self.expect(24, &[0; 8])?;
         let header = self.messages(self.number(64, 8)?)?;
-        let &(_, body) = header.iter().find(|m| m.0 == 0x11).ok_or("the root is no symbol table")?;
+        let body = body(&header, 0x11, 16).ok_or("the root is no symbol table")?;
         let (tree, heap) = (self.number(body, 8)?, self.number(body.saturating_add(8), 8)?);
         self.expect(heap, b"HEAP\0")?;
         let (size, data) =
             (self.number(heap.saturating_add(8), 8)?, self.number(heap.saturating_add(24), 8)?);
         let heap = self.bytes(data, size)?;
         let (mut nodes, mut names, mut seen) = (vec![(tree, 256)], Vec::new(), Set::default());
+        // Names do not overlap, so they are together no longer than the heap.
+        let (mut room, mut below_first) = (heap.len(), 0);
         while let Some((at, below)) = nodes.pop() {
             if !seen.insert(at) {
                 return Err("a node is reached twice".into());
             }
-            if seen.len() > BUDGET || names.len() > BUDGET || nodes.len() > BUDGET {
-                return Err("the root group is too large".into());
-            }
             if below == 0 {
-                self.symbols(at, heap, &mut names)?;
+                self.symbols(at, heap, &mut room, &mut names)?;
                 continue;
             }
             self.expect(at, b"TREE\0")?;
@@ -88,6 +101,10 @@ impl<'a> File<'a> {
                 (self.number(at.saturating_add(5), 1)?, self.number(at.saturating_add(6), 2)?);
             if level >= below {
                 return Err("the levels of the tree do not descend".into());
+            }
+            below_first += used;
+            if below_first > BUDGET as u64 {
+                return Err("the root group has too many nodes".into());
             }
             for i in 0..used {
                 nodes.push((self.number(at.saturating_add(32 + 16 * i), 8)?, level));
@@ -100,26 +117,36 @@ impl<'a> File<'a> {
         Ok(names)
     }
 
-    fn symbols(&self, at: u64, heap: &'a [u8], names: &mut Vec<(&'a [u8], u64)>) -> Read<()> {
+    fn symbols(
+        &self,
+        at: u64,
+        heap: &'a [u8],
+        room: &mut usize,
+        names: &mut Vec<(&'a [u8], u64)>,
+    ) -> Read<()> {
         self.expect(at, b"SNOD\x01")?;
         for i in 0..self.number(at.saturating_add(6), 2)? {
             let entry = at.saturating_add(8 + 40 * i);
             let offset = usize::try_from(self.number(entry, 8)?).unwrap_or(usize::MAX);
             let text = heap.get(offset..).ok_or("a name is outside the heap")?;
-            let end = text.iter().position(|&b| b == 0).ok_or("a name has no end")?;
+            let end = text.iter().take(*room).position(|&b| b == 0).ok_or("a name has no end of its own")?;
+            *room -= end + 1;
             names.push((&text[..end], self.number(entry.saturating_add(8), 8)?));
+            if names.len() > BUDGET {
+                return Err("the root group has too many names".into());
+            }
         }
         Ok(())
     }
 
-    /// Type and body address of the messages of a version-1 object header.
-    fn messages(&self, at: u64) -> Read<Vec<(u64, u64)>> {
+    /// The messages of a version-1 object header, in the order of its blocks.
+    fn messages(&self, at: u64) -> Read<Vec<Message>> {
         self.expect(at, &[1])?;
         let total = self.number(at.saturating_add(2), 2)?;
-        let mut blocks = vec![(at.saturating_add(16), self.number(at.saturating_add(8), 4)?)];
+        let mut blocks = VecDeque::from([(at.saturating_add(16), self.number(at.saturating_add(8), 4)?)]);
         let mut found = Vec::new();
         let mut seen = Set::default();
-        while let Some((mut here, mut left)) = blocks.pop() {
+        while let Some((mut here, mut left)) = blocks.pop_front() {
             if !seen.insert(here) {
                 return Err("a block is reached twice".into());
             }
@@ -130,10 +157,13 @@ impl<'a> File<'a> {
                 if matches!(kind, 1 | 3 | 8 | 0x10 | 0x11) && self.number(here + 4, 1)? & 2 != 0 {
                     return Err("shared messages are not read".into());
                 }
-                if kind == 0x10 {
-                    blocks.push((self.number(here + 8, 8)?, self.number(here + 16, 8)?));
+                if kind == 0x10 && size < 16 {
+                    return Err("a continuation is cut".into());
                 }
-                found.push((kind, here + 8));
+                if kind == 0x10 {
+                    blocks.push_back((self.number(here + 8, 8)?, self.number(here + 16, 8)?));
+                }
+                found.push(Message { kind, body: here + 8, size });
                 (here, left) = (here + 8 + size, rest);
             }
         }
@@ -144,10 +174,9 @@ impl<'a> File<'a> {
         let fail = |why: &str| format!("dataset {name}: {why}");
         let &(_, at) = names.iter().find(|n| n.0 == name.as_bytes()).ok_or_else(|| fail("missing"))?;
         let messages = self.messages(at)?;
-        let body =
-            |kind: u64| messages.iter().find(|m| m.0 == kind).map(|m| m.1).ok_or_else(|| fail("no message"));
-        let (space, kind, layout) = (body(1)?, body(3)?, body(8)?);
-        if messages.iter().any(|m| matches!(m.0, 7 | 0x0b)) {
+        let body = |kind, least| body(&messages, kind, least).ok_or_else(|| fail("no message, or a cut one"));
+        let (space, kind, layout) = (body(1, 24)?, body(3, 12)?, body(8, 18)?);
+        if messages.iter().any(|m| matches!(m.kind, 7 | 0x0b)) {
             return Err(fail("filters and external files are not read"));
         }
         self.expect(space, &[1, 2]).map_err(|_| fail("not of rank 2"))?;
@@ -159,7 +188,10 @@ impl<'a> File<'a> {
             // No bit offset, a precision of 32.
             0 => width == 4 && order & 1 == 0 && self.expect(kind + 8, &[0, 0, 32, 0]).is_ok(),
             // The IEEE double, byte for byte: bit field, then the properties behind the size.
-            1 => width == 8 && self.expect(kind, &IEEE[..4]).and(self.expect(kind + 8, &IEEE[4..])).is_ok(),
+            1 => {
+                body(3, 20)?;
+                width == 8 && self.expect(kind, &IEEE[..4]).and(self.expect(kind + 8, &IEEE[4..])).is_ok()
+            }
             _ => false,
         };
         if columns != 3 || !plain {

@@ -94,20 +94,23 @@ fn uncomment(line: &[u8]) -> &[u8] {
 }
 
 fn off(text: &[u8]) -> Result<Mesh, String> {
-    let mut lines = text.split(|&b| b == b'\n').map(uncomment).enumerate();
-    let mut line: Vec<&[u8]> = Vec::new(); // the rest of the current line, reversed
-    let mut at = 0;
+    let mut lines = text.split(|&b| b == b'\n').map(uncomment);
+    let mut line: &[u8] = b""; // the rest of the current line
     let mut next = |skip: bool| -> Result<&[u8], String> {
         if skip {
-            line.clear();
+            line = b"";
             return Ok(b"");
         }
-        while line.is_empty() {
-            let (number, rest) = lines.next().ok_or("the file ends early")?;
-            (line, at) = (tokens(rest).collect(), number + 1);
-            line.reverse();
+        loop {
+            if let Some(start) = line.iter().position(|&b| !is_space(b)) {
+                let rest = &line[start..];
+                let (word, rest) =
+                    rest.split_at(rest.iter().position(|&b| is_space(b)).unwrap_or(rest.len()));
+                line = rest;
+                return Ok(word);
+            }
+            line = lines.next().ok_or("the file ends early")?;
         }
-        line.pop().ok_or_else(|| format!("line {at}: nothing left"))
     };
     if next(false)? != b"OFF" {
         return Err("the first word is not OFF".into());

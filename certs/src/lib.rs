@@ -43,6 +43,7 @@ use separate::Sets;
 use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use tets::Selected;
 use world::World;
 
@@ -91,7 +92,13 @@ fn each(n: usize, check: impl Fn(usize) -> Res + Sync + Send) -> Res {
 
 /// Checks independent things in parallel and collects what is found; the error is that of the first one that fails.
 fn all<T: Send>(n: usize, check: impl Fn(usize) -> Res<T> + Sync + Send) -> Res<Vec<T>> {
-    (0..n).into_par_iter().map(check).collect::<Vec<_>>().into_iter().collect()
+    // What comes after a failure need not be looked at.
+    let failed = AtomicUsize::new(usize::MAX);
+    let one = |i| match i > failed.load(Relaxed) {
+        true => Err(bad!("", "behind a failure")),
+        false => check(i).inspect_err(|_| _ = failed.fetch_min(i, Relaxed)),
+    };
+    (0..n).into_par_iter().map(one).collect::<Vec<_>>().into_iter().collect()
 }
 
 /// Names as they are written.

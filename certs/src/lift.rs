@@ -1,7 +1,7 @@
 //! `section` and `section-all-orders` refuted: the no-lift witness (FORMAT section 3.4).
 
 use crate::Res;
-use crate::boxes::Aabb;
+use crate::boxes::{Aabb, Tree};
 use crate::complex::Complex;
 use crate::line::Names4;
 use crate::number::sgn;
@@ -14,8 +14,10 @@ use num_integer::Integer;
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) struct Lift<'a> {
-    pub(crate) world: &'a World,
-    pub(crate) selected: &'a Selected<'a>,
+    world: &'a World,
+    selected: &'a Selected<'a>,
+    /// Of the prisms' boxes.
+    tree: Tree,
 }
 
 /// A point of `T` in a tet, with its carrier there.
@@ -35,7 +37,7 @@ pub(crate) fn check(world: &World, selected: &Selected<'_>, witness: &Witness) -
             Ok(())
         }
         Witness::Tet(fact) => not_positive(world, fact, selected.of(fact.prism)),
-        Witness::Roots(roots) => Lift { world, selected }.roots(roots),
+        Witness::Roots(roots) => Lift::new(world, selected).roots(roots),
     }
 }
 
@@ -50,6 +52,12 @@ pub(crate) fn not_positive(world: &World, fact: &TetFact, mut tets: impl Iterato
 }
 
 impl<'a> Lift<'a> {
+    pub(crate) fn new(world: &'a World, selected: &'a Selected<'a>) -> Self {
+        let points = |t: &[usize; 3]| t.map(|v| [3 * v, 3 * v + 1, 3 * v + 2]).concat();
+        let boxes = world.shell.triangles.iter().map(|t| Aabb::of(&world.keys, &points(t)));
+        Self { world, selected, tree: Tree::new(boxes) }
+    }
+
     fn roots(&self, roots: &'a [Root]) -> Res {
         let (mut from, mut landed) = (BTreeSet::new(), BTreeSet::new());
         for root in roots {
@@ -73,9 +81,8 @@ impl<'a> Lift<'a> {
 
     /// The carriers of a weighted point over all tets, ascending.
     pub(crate) fn carriers(&self, points: &[usize], weights: &[BigInt]) -> BTreeSet<Vec<usize>> {
-        let keys = &self.world.keys;
-        let near = Aabb::of(keys, &carrier(points, weights));
-        let tets = self.selected.tets().filter(|t| Aabb::of(keys, &t.names).meets(&near));
+        let near = Aabb::of(&self.world.keys, &carrier(points, weights));
+        let tets = self.tree.meeting(&near).into_iter().flat_map(|prism| self.selected.of(prism));
         tets.filter_map(|tet| self.carrier(points, weights, &tet)).collect()
     }
 

@@ -124,21 +124,24 @@ impl<'a> Overlay<'a> {
             let named = facts.degree[side].iter().map(|d| complex.part[self.cells[d.1].home[side]]);
             ensure!(named.eq(0..complex.parts), "degree-component", "not one `d` line a component");
         }
-        for (side, &(line, named, fan)) in
-            [0, 1].into_iter().flat_map(|s: usize| facts.degree[s].iter().map(move |d| (s, d)))
-        {
-            let named = &self.cells[named];
-            let triangle = fans(named.corners).nth(fan).ok_or_else(|| bad!("degree", "line {line}"))?;
-            let [a, b, c] = triangle.map(|x| self.corners[x].weights[side].exact.iter().sum::<BigInt>());
-            let (rows, scales) = (self.rows(side, named, triangle), [&b * &c, &a * &c, &a * &b]);
-            let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &rows[j][i] * &scales[j]).sum());
-            for other in self.cells.iter().filter(|c| c.home[side] == named.home[side]) {
-                for (i, triangle) in fans(other.corners).enumerate() {
-                    let [a, b, c] = &self.rows(side, named, triangle);
-                    let holds =
-                        [(a, b), (b, c), (c, a)].iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
-                    let itself = (other.line, i) == (named.line, fan);
-                    ensure!(itself || !holds, "degree", "line {line}: also in line {}", other.line);
+        for side in [0, 1] {
+            let mut cells: Vec<&Cell<'_>> = self.cells.iter().collect();
+            cells.sort_unstable_by_key(|c| c.home[side]);
+            for &(line, named, fan) in &facts.degree[side] {
+                let named = &self.cells[named];
+                let triangle = fans(named.corners).nth(fan).ok_or_else(|| bad!("degree", "line {line}"))?;
+                let [a, b, c] = triangle.map(|x| self.corners[x].weights[side].exact.iter().sum::<BigInt>());
+                let (rows, scales) = (self.rows(side, named, triangle), [&b * &c, &a * &c, &a * &b]);
+                let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &rows[j][i] * &scales[j]).sum());
+                let first = cells.partition_point(|c| c.home[side] < named.home[side]);
+                for other in cells[first..].iter().take_while(|c| c.home[side] == named.home[side]) {
+                    for (i, triangle) in fans(other.corners).enumerate() {
+                        let [a, b, c] = &self.rows(side, named, triangle);
+                        let sides = [(a, b), (b, c), (c, a)];
+                        let holds = sides.iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
+                        let itself = (other.line, i) == (named.line, fan);
+                        ensure!(itself || !holds, "degree", "line {line}: also in line {}", other.line);
+                    }
                 }
             }
         }

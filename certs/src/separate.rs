@@ -104,7 +104,8 @@ pub(crate) fn disjoint(world: &World, sets: &Sets, lines: &[Separation]) -> Res 
             let pair = |b| Pair { world, a, b, itself: *itself };
             open.retain(|b| Aabb::of(&world.keys, b).meets(&bounds) && !pair(b).separate_alone());
             // In the order of names; a pair of triangles has at most one line.
-            for line in lines[from..to].iter().filter(|line| line.pair.1 == j) {
+            let start = lines.partition_point(|line| line.pair < (i, j));
+            for line in lines[start..].iter().take_while(|line| line.pair == (i, j)) {
                 let names = line.tet.as_ref().map_or(&second[j][..], |tet| tet);
                 let at = || format!("line {}: triangle {i} and {j}", line.line);
                 let missed = open.first().is_some_and(|b| *b < names);
@@ -159,8 +160,9 @@ pub(crate) fn injective(world: &World, selected: &Selected<'_>, lines: &[Separat
     let mut sides: Vec<_> = skin.iter().enumerate().flat_map(sides).collect();
     sides.sort_unstable();
     let shared = sides.chunk_by(|x, y| x.0 == y.0).filter(|chunk| chunk.len() == 2);
+    let lift = Lift::new(world, selected);
     for i in distinct(classes(skin.len(), shared.map(|chunk| (chunk[0].1, chunk[1].1)))) {
-        let carriers = Lift { world, selected }.carriers(&skin[i], &[1, 1, 1].map(BigInt::from));
+        let carriers = lift.carriers(&skin[i], &[1, 1, 1].map(BigInt::from));
         ensure!(carriers.len() == 1, "overlap", "the middle of {} is in another tet", show(&skin[i]));
     }
     Ok(())

@@ -113,8 +113,7 @@ impl<'a> Selected<'a> {
     pub(crate) fn holding(&self, names: &[usize]) -> impl Iterator<Item = Tet> {
         // A tet has names of all three vertices of its prism.
         let ids: Vec<usize> = names.iter().map(|n| n / 3).collect();
-        let prisms: Vec<usize> = self.world.shell.holding(&ids).collect();
-        let tets = prisms.into_iter().flat_map(|prism| self.of(prism));
+        let tets = self.world.shell.holding(ids).flat_map(|prism| self.of(prism));
         tets.filter(move |tet| names.iter().all(|n| tet.names.contains(n)))
     }
 }

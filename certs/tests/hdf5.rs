@@ -32,6 +32,49 @@ fn all_are_read() {
     }
 }
 
+/// A file whose root group has these names, each from a place of the heap on, and no objects.
+fn with_names(places: &[u64], heap: &[u8]) -> Vec<u8> {
+    let mut file = vec![0; 512];
+    let mut put = |at: usize, bytes: &[u8]| file[at..at + bytes.len()].copy_from_slice(bytes);
+    let (header, tree, local_heap, symbols, names) = (96u64, 136u64, 184u64, 216u64, 480u64);
+    put(0, b"\x89HDF\r\n\x1a\n");
+    put(13, &[8, 8]);
+    put(64, &header.to_le_bytes());
+    put(96, &[1, 0, 1, 0, 1, 0, 0, 0, 24]);
+    put(112, &[0x11, 0, 16]);
+    put(120, &tree.to_le_bytes());
+    put(128, &local_heap.to_le_bytes());
+    put(136, b"TREE\0\0\x01");
+    put(168, &symbols.to_le_bytes());
+    put(184, b"HEAP");
+    put(192, &(heap.len() as u64).to_le_bytes());
+    put(208, &names.to_le_bytes());
+    put(216, b"SNOD\x01\0");
+    put(222, &[places.len() as u8]);
+    for (i, place) in places.iter().enumerate() {
+        put(224 + 40 * i, &place.to_le_bytes());
+    }
+    put(480, heap);
+    file
+}
+
+#[test]
+fn names_do_not_overlap() {
+    let text = unbound();
+    let says = |places: &[u64], heap: &[u8], what: &str| {
+        let got = check(text.as_bytes(), &[with_names(places, heap)]);
+        assert!(got.code == "input" && got.message.contains(what), "{places:?}: {}", got.message);
+    };
+    says(&[0], b"abcd\0", "dataset mbase: missing");
+    says(&[0, 3], b"ab\0cd\0", "dataset mbase: missing");
+    says(&[0, 1], b"ab\0cd\0", "dataset mbase: missing"); // no longer than the heap
+    says(&[0, 1, 2], b"abcd\0", "no end of its own");
+    says(&[0, 1], b"abcd\0", "no end of its own");
+    says(&[0, 0], b"ab\0cd\0", "a name is used twice");
+    says(&[3], b"ab\0cd", "no end of its own");
+    says(&[9], b"ab\0cd", "outside the heap");
+}
+
 #[test]
 fn damage_never_panics() {
     let Some((_, bytes)) = shells().into_iter().min_by_key(|s| s.1.len()) else { return };

@@ -32,6 +32,19 @@ fn carriers() {
 }
 
 #[test]
+fn the_first_failure_is_told() {
+    let mut case = section(one_prism());
+    let more = ["v 0 m1", "v 1 b1,t1", "v 2 t2", "v 0,1 b0,t0", "v 1 m2"];
+    let codes = ["no-point", "shell-carrier", "cap", "shell-carrier", "no-point"];
+    for first in 0..more.len() {
+        let corners: String =
+            (0..more.len()).map(|i| format!("{}\n", more[(first + i) % more.len()])).collect();
+        case.set("overlay", &format!("v 0 m0\nv 1 m1\nv 2 m2\n{corners}c 0 1 2\nd mesh 0 0\nd middle 0 0"));
+        case.reject(codes[first]);
+    }
+}
+
+#[test]
 fn carriers_of_all_ranks() {
     // Mesh edges across walls (2 + 2), a face pierced by a pillar (3 + 1), a mesh vertex inside a tet (1 + 4).
     let mut case = section(one_prism());
@@ -93,4 +106,42 @@ fn degree() {
     case.set("overlay", &overlay);
     case.reject("degree");
     assert_eq!(lines(&overlay).len(), 19);
+}
+
+#[test]
+fn a_degree_line_for_each_component() {
+    // Three prisms apart, each with a mesh of three triangles whose cells stand here and there.
+    let mut case = section(one_prism());
+    case.points.push([0.25, 0.25, 0.125]);
+    let apart = |points: &[common::P]| -> Vec<common::P> {
+        [8.0, 0.0, 4.0].iter().flat_map(|x| points.iter().map(move |p| [p[0] + x, p[1], p[2]])).collect()
+    };
+    case.layers = case.layers.each_ref().map(|layer| apart(layer));
+    case.points = apart(&case.points);
+    case.prisms = vec![[0, 1, 2], [3, 4, 5], [6, 7, 8]];
+    let part = |i: u32| [[0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|t| t.map(|v| v + 4 * i));
+    case.triangles = [part(1), part(0), part(2)].concat();
+    let corners = |i: usize| {
+        let (g, m) = (4 * i, 3 * i);
+        let [a, b, c] = [0, 1, 2].map(|k| format!("v {} m{}", g + k, m + k));
+        format!("{a}\n{b}\n{c}\nv {} m{m},m{},m{},t{}\n", g + 3, m + 1, m + 2, m + 2)
+    };
+    let cells = [
+        [4, 5, 7],
+        [0, 1, 3],
+        [8, 9, 11],
+        [2, 0, 3],
+        [10, 8, 11],
+        [5, 6, 7],
+        [1, 2, 3],
+        [9, 10, 11],
+        [6, 4, 7],
+    ];
+    let cells: String = cells.iter().map(|[a, b, c]| format!("c {a} {b} {c}\n")).collect();
+    let corners: String = (0..3).map(corners).collect();
+    let degrees = "d mesh 5 0\nd mesh 6 0\nd mesh 4 0\nd middle 3 0\nd middle 8 0\nd middle 7 0";
+    case.set("overlay", &format!("{corners}{cells}{degrees}"));
+    case.accept();
+    case.mutant("overlay", "d mesh 6 0", "d mesh 5 0", "degree-component");
+    case.mutant("overlay", "d middle 7 0", "d middle 0 0", "degree-component");
 }

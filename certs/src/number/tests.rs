@@ -1,6 +1,6 @@
 //! The integer filter against exact determinants; doubles against their bits.
 
-use super::{Vec3, decode, det, key, leading, sgn, sign_near};
+use super::{Vec3, cross, decode, det, key, leading, sgn, sign_near};
 use num_bigint::BigInt;
 
 #[test]
@@ -48,6 +48,134 @@ fn known_exactly_zero_is_decided() {
         at([[-largest; 3], [-largest, largest, -largest], [-largest, -largest, largest]], false),
         Some(-1)
     );
+}
+
+/// Numbers of changing size, of either sign.
+fn random() -> impl FnMut(u32) -> i128 {
+    let mut state = 5u64;
+    let mut word = move || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        i128::from(state >> 32)
+    };
+    move |bits| {
+        let x = (word() << 64 | word() << 32 | word()) & ((1 << bits) - 1);
+        if word() % 2 == 0 { x } else { -x }
+    }
+}
+
+/// Rows of which the third is a combination of the others up to a disturbance of so many bits.
+fn nearly_dependent(next: &mut impl FnMut(u32) -> i128, bits: u32, disturbance: u32) -> [Vec3<i128>; 3] {
+    let mut row = || [0; 3].map(|_| next(bits));
+    let (a, b) = (row(), row());
+    let (p, q) = (next(6), next(6));
+    [a, b, std::array::from_fn(|i| (a[i] * p + b[i] * q) / 128 + next(disturbance))]
+}
+
+fn big(rows: &[Vec3<i128>; 3]) -> [Vec3; 3] {
+    rows.map(|row| row.map(BigInt::from))
+}
+
+/// The signs of the cofactors: how each entry moves the determinant.
+fn cofactors(rows: &[Vec3<i128>; 3]) -> [Vec3<i32>; 3] {
+    let [a, b, c] = &big(rows);
+    [cross(b, c), cross(c, a), cross(a, b)].map(|row| row.map(|x| sgn(&x)))
+}
+
+#[test]
+fn the_filter_withstands_the_worst_errors() {
+    let mut next = random();
+    let (mut decided, mut left, mut turned) = (0, 0, 0);
+    for round in 0..60000 {
+        let bits = 2 + round % 80;
+        let rows = match round % 3 {
+            0 => [[0; 3]; 3].map(|row| row.map(|_| next(bits))),
+            _ => nearly_dependent(&mut next, bits, 1 + round / 3 % 8),
+        };
+        // Entries off by almost 2, all to the side that makes the determinant smaller.
+        let (sign, effect) = (sgn(&det(&big(&rows))), cofactors(&rows));
+        let error = (1i128 << 21) - 1;
+        let exact = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                (BigInt::from(rows[i][j]) << 20) - BigInt::from(error) * (sign * effect[i][j])
+            })
+        });
+        let truth = sgn(&det(&exact));
+        turned += usize::from(truth != sign);
+        match sign_near(&rows, false) {
+            Some(found) => {
+                assert_eq!(found, truth, "{rows:?}");
+                decided += 1;
+            }
+            None => left += 1,
+        }
+    }
+    assert!(decided > 5000 && left > 5000 && turned > 5000, "{decided} {left} {turned}");
+}
+
+#[test]
+fn the_short_filter_withstands_the_worst_roundings() {
+    let mut next = random();
+    let (mut found, mut turned) = ([0; 3], 0);
+    for round in 0..60000 {
+        let bits = 2 + round % 40;
+        let short = match round % 3 {
+            0 => [[0; 3]; 3].map(|row| row.map(|_| next(bits))),
+            _ => nearly_dependent(&mut next, bits, 1 + round / 3 % 8),
+        };
+        // Rounding down takes almost one from the entries that make the determinant smaller.
+        let (sign, effect) = (sgn(&det(&big(&short))), cofactors(&short));
+        let rows = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                (short[i][j] << 40) + if sign * effect[i][j] < 0 { (1i128 << 40) - 1 } else { 0 }
+            })
+        });
+        let truth = sgn(&det(&big(&rows)));
+        turned += usize::from(truth != sign);
+        assert!(sign_near(&rows, false).is_none_or(|found| found == truth), "{rows:?}");
+        assert_eq!(sign_near(&rows, true), Some(truth), "{rows:?}");
+        found[usize::try_from(truth + 1).expect("a sign")] += 1;
+    }
+    assert!(turned > 2000 && found[0] > 5000 && found[2] > 5000, "{turned} {found:?}");
+}
+
+#[test]
+fn what_is_known_exactly_is_decided() {
+    let mut next = random();
+    let mut found = [0; 3];
+    for round in 0..20000 {
+        let rows = nearly_dependent(&mut next, 2 + round % 80, round / 80 % 4);
+        let truth = sgn(&det(&big(&rows)));
+        assert_eq!(sign_near(&rows, true), Some(truth), "{rows:?}");
+        found[usize::try_from(truth + 1).expect("a sign")] += 1;
+    }
+    assert!(found.iter().all(|&n| n > 50), "{found:?}");
+}
+
+#[test]
+fn leading_bits_are_rounded_down() {
+    let mut next = random();
+    for round in 0..5000u64 {
+        let numbers: [BigInt; 4] = std::array::from_fn(|i| {
+            let bits = u32::try_from(round % 90).expect("small") + 1;
+            let x = BigInt::from(next(bits)) << (round * (7 + i as u64) % 61);
+            // A power of two among the negative ones, which rounding may not take below -2^80.
+            if round % 5 == 0 && i == 0 {
+                -(BigInt::from(1) << (round % 200)) - BigInt::from(round % 2)
+            } else {
+                x
+            }
+        });
+        let near: Vec<i128> = leading(numbers.iter()).collect();
+        let most = numbers.iter().map(BigInt::bits).max().unwrap_or(0);
+        for (x, near) in numbers.iter().zip(&near) {
+            // Both times 2^80 and the common power of two.
+            let (low, x) = (BigInt::from(*near) << most, x << 80u32);
+            let one = BigInt::from(1) << most;
+            assert!(low <= x && x < low + one, "{numbers:?}");
+            assert!(near.abs() <= 1 << 80);
+        }
+        assert!(most == 0 || near.iter().any(|x| x.abs() >= 1 << 79), "{numbers:?}");
+    }
 }
 
 #[test]

@@ -6,10 +6,11 @@ use crate::input::{Mesh, Shell};
 use crate::number::{Vec3, decode, det, key, sgn};
 use num_bigint::BigInt;
 
-fn world(points: &[[f64; 3]; 4]) -> World {
+/// The points of one pillar, and those of the mesh.
+fn world(points: &[[f64; 3]]) -> World {
     let bits: Vec<_> = points.iter().map(|p| p.map(f64::to_bits)).collect();
     let shell = Shell { layers: [vec![bits[0]], vec![bits[1]], vec![bits[2]]], prisms: vec![] };
-    let mesh = Mesh { points: vec![bits[3]], triangles: vec![] };
+    let mesh = Mesh { points: bits[3..].to_vec(), triangles: vec![] };
     let complex = || Complex::new(vec![], 1, "").unwrap_or_else(|_| panic!("nothing"));
     World::new(&shell, &mesh, (complex(), complex()))
 }
@@ -59,4 +60,36 @@ fn signs_and_values_of_near_and_far_coordinates() {
         *seen.entry((world.bits <= 80, world.bits <= 126, sgn(&exact))).or_insert(0) += 1;
     }
     assert!(seen.len() == 9 && seen.values().all(|&n| n > 20), "{seen:?}");
+}
+
+#[test]
+fn signs_beside_a_far_point() {
+    let mut state = 17u64;
+    let mut next = move |range: u64| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) % range
+    };
+    let mut seen = std::collections::BTreeMap::new();
+    for round in 0..20000u64 {
+        // Near points differ in their last bits; of these the far point, which no row uses, leaves 0 to 13.
+        let size = 1 + next(13);
+        let whole_part = if next(2) == 0 { 1.0 } else { -1.0 };
+        let mut number = |unit: u64| f64::from_bits(f64::to_bits(whole_part) + next(1 << size) * unit);
+        let unit = 1 << (round % 30);
+        let mut points: [[f64; 3]; 4] = std::array::from_fn(|_| std::array::from_fn(|_| number(unit)));
+        if round % 3 == 0 {
+            // Flat, then disturbed where the far point takes the bits.
+            points.iter_mut().for_each(|p| p[2] = p[1]);
+            points[3][2] = f64::from_bits(points[3][2].to_bits() + next(3));
+        }
+        let lost = i32::try_from(next(45)).expect("small") - 5;
+        let far = 2f64.powi(80 - 52 + i32::try_from(round % 30).expect("small") + lost);
+        let points: Vec<[f64; 3]> = points.into_iter().chain([[far, 0.0, -far]]).collect();
+        let world = world(&points);
+        let row = |i: usize| -> Vec3 { std::array::from_fn(|k| whole(points[i][k]) - whole(points[0][k])) };
+        let exact = sgn(&det(&[row(1), row(2), row(3)]));
+        assert_eq!(world.sign([[0, 1], [0, 2], [0, 3]]), exact, "{points:?}");
+        *seen.entry((world.bits <= 80, exact)).or_insert(0) += 1;
+    }
+    assert!(seen.len() == 6 && seen.values().all(|&n| n > 100), "{seen:?}");
 }
