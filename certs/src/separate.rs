@@ -135,8 +135,9 @@ pub(crate) fn crossing(world: &World, sets: &Sets, facts: &[Crossing]) -> Res {
             ensure!(sgn(&dot) <= 0, "not-refuted", "line {line}");
         }
         let (left, right) = (carrier(&a, first), carrier(b, second));
+        let is_pinch = |&&p: &&usize| world.pinched.get(p / 3) == Some(&true);
+        let pinch = b.iter().filter(is_pinch).any(|&p| (0..3).all(|i| world.integer(p, i) * &xw == x[i]));
         // Equal only for triangles of the mesh, whose points have other numbers than the shell's.
-        let pinch = right.len() == 1 && world.pinched.get(right[0] / 3) == Some(&true);
         ensure!(left != right && !pinch, "not-refuted", "line {line}");
     }
     Ok(())

@@ -71,7 +71,7 @@ impl World {
     }
 
     /// A coordinate, divided by two to the power `exp`.
-    fn integer(&self, point: usize, axis: usize) -> BigInt {
+    pub(crate) fn integer(&self, point: usize, axis: usize) -> BigInt {
         let (mantissa, e) = decode(self.keys[point][axis]);
         if mantissa == 0 { BigInt::ZERO } else { BigInt::from(mantissa) << (e - self.exp) }
     }

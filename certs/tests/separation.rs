@@ -45,6 +45,23 @@ fn mesh_refuted() {
     shared.reject("not-refuted");
 }
 
+/// What certifies and what refutes exclude each other: a point with the coordinates of a pinched vertex is allowed whatever name
+/// it is given. (Both checkers took this one for a crossing.)
+#[test]
+fn another_name_at_a_pinched_vertex() {
+    let mut case = one_prism();
+    case.pinched = "pinched 8 0".into();
+    case.layers[1] = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    case.layers[0] = vec![[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 4.0, -1.0]];
+    case.layers[2] = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 1.0], [0.0, 4.0, 1.0]];
+    case.points = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 4.0], [0.0, 4.0, 4.0]];
+    let bottom =
+        |verdict, facts| case.clone().only(&[("disjoint-bottom", verdict)], &[("disjoint-bottom", facts)]);
+    bottom(true, "sep 0 0 p:m0,m1,m2").accept();
+    bottom(false, "cross 0 0 1 0 0 0 1 0").reject("not-refuted");
+    bottom(false, "cross 0 0 1 0 0 1 0 0").reject("not-refuted");
+}
+
 #[test]
 fn layers() {
     let mut case = one_prism().only(&[("disjoint-top", false)], &[("disjoint-top", "cross 0 0 1 0 0 1 0 0")]);
