@@ -1,9 +1,9 @@
 //! The tets of a shell under one vertex order, and what a lift needs to know of their neighbourhood.
 
-use std::collections::HashSet;
 use std::ops::Range;
 
 use rayon::prelude::*;
+use rustc_hash::FxHashSet;
 
 use crate::mesh::connectivity::{Connectivity, Side};
 use crate::predicate::orient3d;
@@ -12,8 +12,8 @@ use crate::shell::{Layer, Name, Shell, Tet};
 /// Edges and vertices on the boundary of an oriented manifold of triangles.
 #[derive(Debug, Default)]
 pub(crate) struct Boundary {
-    edges: HashSet<[u32; 2]>,
-    vertices: HashSet<u32>,
+    edges: FxHashSet<[u32; 2]>,
+    vertices: FxHashSet<u32>,
 }
 
 impl Boundary {
@@ -29,12 +29,23 @@ impl Boundary {
 
     /// Do the vertices (any number, repeated ones allowed) lie in one boundary edge?
     pub(crate) fn holds(&self, ids: impl IntoIterator<Item = u32>) -> bool {
-        let mut ids: Vec<u32> = ids.into_iter().collect();
-        ids.sort_unstable();
-        ids.dedup();
-        match ids[..] {
-            [v] => self.vertices.contains(&v),
-            [u, w] => self.edges.contains(&[u, w]),
+        // A closed surface has none; it is asked for every side of every piece.
+        if self.edges.is_empty() {
+            return false;
+        }
+        let mut ends = [None; 2];
+        for id in ids {
+            match ends {
+                [None, _] => ends[0] = Some(id),
+                [Some(u), _] if u == id => {}
+                [_, None] => ends[1] = Some(id),
+                [_, Some(w)] if w == id => {}
+                _ => return false,
+            }
+        }
+        match ends {
+            [Some(v), None] => self.vertices.contains(&v),
+            [Some(u), Some(w)] => self.edges.contains(&[u.min(w), u.max(w)]),
             _ => false,
         }
     }
