@@ -71,13 +71,18 @@
 //! [`Projection::trace`] computes the same middle points by following the field tet by tet: it is the
 //! oracle that the tests compare with, 7 to 30 times slower.
 
+mod batch;
 mod boxes;
 mod error;
 mod exact;
 mod float;
+mod image;
+mod images;
+mod integers;
 mod inverse;
 mod locate;
 mod point;
+mod rounded;
 mod section;
 #[cfg(test)]
 mod tests;
@@ -86,6 +91,7 @@ mod trace;
 pub use error::{PointError, ProjectionError, SectionError};
 pub use exact::Rat;
 pub use float::{FloatPoint, MAX_ERROR};
+pub use image::ExactImage;
 pub use inverse::FibrePiece;
 pub use locate::{Location, Projection};
 pub use point::ShellPoint;
