@@ -8,6 +8,23 @@ use crate::shell::Name;
 /// A tet that holds a point, with the signs of the point's barycentric coordinates.
 pub(super) type Holder = (u32, [Sign; 4]);
 
+/// Most points have one: it needs no memory on the heap.
+#[derive(Default)]
+struct Holders {
+    first: Option<Holder>,
+    more: Vec<Holder>,
+}
+
+impl Holders {
+    fn push(&mut self, holder: Holder) {
+        if self.first.is_none() {
+            self.first = Some(holder);
+        } else {
+            self.more.push(holder);
+        }
+    }
+}
+
 impl Projection<'_> {
     /// [`project`](Self::project) for a point with `f64` coordinates, taken exactly; the answer is
     /// exact, too. `None` where a coordinate is not finite.
@@ -31,12 +48,10 @@ impl Projection<'_> {
     /// [`project_all`](Self::project_all). None where a coordinate is not finite.
     #[must_use]
     pub fn images(&self, p: &[f64; 3]) -> Vec<ExactImage> {
-        let mut holders: Vec<Holder> = Vec::new();
+        let mut holders = Holders::default();
         self.each_holder(p, |holder| holders.push(holder));
-        holders.sort_unstable_by_key(|&(tet, _)| tet);
-        self.keep_different(&mut holders);
         let image = |(tet, signs): Holder| self.image_on(self.prism_of(tet, &signs), tet, p);
-        let mut images: Vec<ExactImage> = holders.into_iter().map(image).collect();
+        let mut images: Vec<ExactImage> = self.different(holders).map(image).collect();
         images.sort_by_key(|image| image.prism);
         images
     }
@@ -50,7 +65,7 @@ impl Projection<'_> {
         if !p.iter().all(|x| x.is_finite()) {
             return Vec::new();
         }
-        let mut holders = Vec::new();
+        let mut holders = Holders::default();
         for tet in self.range_of(prism) {
             // At most 6 a prism, which was seen to fit.
             let id = u32::try_from(tet).unwrap_or(u32::MAX);
@@ -58,8 +73,7 @@ impl Projection<'_> {
                 holders.push((id, signs));
             }
         }
-        self.keep_different(&mut holders);
-        holders.into_iter().map(|(tet, _)| self.image_on(prism, tet, p)).collect()
+        self.different(holders).map(|(tet, _)| self.image_on(prism, tet, p)).collect()
     }
 
     /// Visits the tets that hold the point, in no particular order.
@@ -107,23 +121,30 @@ impl Projection<'_> {
         self.stars.smallest(&self.shell.faces, tet.prism, corners.map(carries))
     }
 
-    /// Keeps the first holder of each image. `P` is injective on the abstract shell, where a point has one smallest simplex
-    /// and its coordinates there: two tets give one image exactly where the same vertices have positive coordinates.
-    fn keep_different(&self, holders: &mut Vec<Holder>) {
-        if holders.len() < 2 {
-            return;
+    /// The first holder of each image, ascending. `P` is injective on the abstract shell, where a point has one smallest
+    /// simplex and its coordinates there: two tets give one image exactly where the same vertices have positive coordinates.
+    fn different(&self, mut holders: Holders) -> impl Iterator<Item = Holder> {
+        if let Some(first) = holders.first.filter(|_| !holders.more.is_empty()) {
+            let carrier = |(tet, signs): &Holder| {
+                let names = self.tets()[*tet as usize].names;
+                let mut carrier = [0, 1, 2, 3].map(|k| signs[k].is_positive().then_some(names[k]));
+                carrier.sort_unstable();
+                carrier
+            };
+            holders.more.push(first);
+            holders.more.sort_unstable_by_key(|&(tet, _)| tet);
+            let mut seen: Vec<[Option<Name>; 4]> = Vec::with_capacity(holders.more.len());
+            holders.more.retain(|holder| {
+                let carrier = carrier(holder);
+                let new = !seen.contains(&carrier);
+                if new {
+                    seen.push(carrier);
+                }
+                new
+            });
+            holders.first = None;
         }
-        let mut seen: Vec<[Option<Name>; 4]> = Vec::with_capacity(holders.len());
-        holders.retain(|(tet, signs)| {
-            let names = self.tets()[*tet as usize].names;
-            let mut carrier = [0, 1, 2, 3].map(|k| signs[k].is_positive().then_some(names[k]));
-            carrier.sort_unstable();
-            let new = !seen.contains(&carrier);
-            if new {
-                seen.push(carrier);
-            }
-            new
-        });
+        holders.first.into_iter().chain(holders.more)
     }
 
     /// The image of a point of a tet, on the corners of a prism that has all those with weight.

@@ -29,7 +29,10 @@
 //! |---|---|
 //! | is a point in the shell, in which tets | [`Projection::is_inside`], [`Projection::locate`] |
 //! | point of space to `(prism, alpha, beta, h)` | [`Projection::project`], [`project_f64`](Projection::project_f64) |
-//! | the same in a shell that overlaps itself | [`Projection::project_all`] |
+//! | the same in a shell that overlaps itself | [`Projection::project_all`], [`Projection::images`] |
+//! | the same fast: exact, over one denominator, not in lowest terms | [`Projection::image`], [`Projection::images`] |
+//! | the same in a known prism | [`Projection::images_in`] |
+//! | many points in floating point | [`Projection::project_batch_f64`] |
 //! | `(prism, alpha, beta, h)` to space | [`Projection::unproject`], [`unproject_f64`](Projection::unproject_f64) |
 //! | the line through the shell over a middle point | [`Projection::fibre`] |
 //! | mesh point to middle surface (`P_T`) | [`SectionMap::to_middle`] |
