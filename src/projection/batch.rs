@@ -2,6 +2,8 @@
 
 use rayon::prelude::*;
 
+use super::boxes::Walk;
+use super::rounded::signs;
 use super::{FloatPoint, Projection};
 use crate::predicate::Sign;
 
@@ -18,7 +20,7 @@ const CELLS: f64 = 1024.0;
 struct Scratch {
     points: Vec<[f64; 3]>,
     best: Vec<Option<(u32, u32, [Sign; 4])>>,
-    list: Vec<u32>,
+    walk: Walk,
 }
 
 impl Projection<'_> {
@@ -48,12 +50,11 @@ impl Projection<'_> {
 
     /// The numbers of the points in the order of their cells along a Z-curve, then in their own.
     fn sorted(&self, points: &[[f64; 3]]) -> Vec<u32> {
-        let [low, high] = self.tree().bounds().unwrap_or_default();
-        // Halved before the subtraction: the difference of two doubles may overflow. Whatever the rounding does, it moves
-        // points in the order and changes no answer; a cell out of range, or of no number, is the nearest, or the first.
-        let scale = [0, 1, 2].map(|i| CELLS / 2.0 / (high[i] / 2.0 - low[i] / 2.0));
         let key = |(p, number): (&[f64; 3], u32)| {
-            let cell = |i: usize| ((p[i] - low[i]) * scale[i]).clamp(0.0, CELLS - 1.0) as u64;
+            let place = self.tree().local(p);
+            // Whatever the rounding does, it moves points in the order and changes no answer; a cell out of range is the
+            // nearest, that of no number the first.
+            let cell = |i: usize| ((place[i] / 4.0 + 0.5) * CELLS).clamp(0.0, CELLS - 1.0) as u64;
             (spread(cell(0)) << 2 | spread(cell(1)) << 1 | spread(cell(2))) << 32 | u64::from(number)
         };
         let mut keys: Vec<u64> = points.iter().zip(0..).map(key).collect();
@@ -72,10 +73,13 @@ impl Projection<'_> {
         scratch.points.extend(order.iter().map(|&i| points[i as usize]));
         scratch.best.clear();
         scratch.best.resize(order.len(), None);
-        let Scratch { points, best, list } = scratch;
-        self.tree().pairs(points, list, &mut |i, tet| {
-            if let Some(signs) = self.signs_in(tet, &points[i]) {
-                self.keep_first(&mut best[i], (tet, signs));
+        let Scratch { points, best, walk } = scratch;
+        self.tree().pairs(points, walk, &mut |near, tet| {
+            let corners = self.points(&self.tets()[tet as usize]);
+            for &i in near {
+                if let Some(signs) = signs(corners, &points[i as usize]) {
+                    self.keep_first(&mut best[i as usize], (tet, signs));
+                }
             }
         });
         for ((answer, best), p) in answers.iter_mut().zip(best).zip(points) {

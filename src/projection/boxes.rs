@@ -2,10 +2,14 @@
 //!
 //! The tree is one array in the order in which a search visits it, so that a search needs no stack, and many points can go
 //! down together: that is what the trees of libraries do not offer, and what [`BoxTree::pairs`] is for.
+//!
+//! Its boxes take half of the memory of boxes of doubles: coordinates are counted from the middle of all boxes, in units of
+//! about their extent, and rounded outwards to floats of 32 bits. A difference to a constant and a product with a positive
+//! constant are rounded monotonically (also where they overflow or underflow), so a point within a box stays within it.
 
 use std::cmp::Ordering;
 
-/// A closed box.
+/// A closed box of doubles.
 #[derive(Clone, Copy, Debug)]
 struct Bounds {
     low: [f64; 3],
@@ -15,17 +19,31 @@ struct Bounds {
 /// A subtree: its nodes are this one, those of its left half, those of its right half.
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    bounds: Bounds,
+    /// At most the lowest coordinates.
+    low: [f32; 3],
+    /// At least the highest ones.
+    high: [f32; 3],
     /// The place after the subtree's last node.
-    end: usize,
+    end: u32,
     /// The number of the box, where there is only one.
     id: u32,
 }
 
-/// Closed boxes, numbered in the order in which they were given. Minima and maxima of stored
-/// doubles and comparisons only, so nothing is rounded. 128 bytes a box.
+/// Closed boxes, numbered in the order in which they were given. At most `2^31` of them; 64 bytes each.
 #[derive(Debug)]
-pub(super) struct BoxTree(Vec<Node>);
+pub(super) struct BoxTree {
+    nodes: Vec<Node>,
+    middle: [f64; 3],
+    /// Powers of two.
+    scale: [f64; 3],
+}
+
+/// What [`BoxTree::pairs`] needs again and again; only the memory is used.
+#[derive(Debug, Default)]
+pub(super) struct Walk {
+    local: Vec<[f64; 3]>,
+    list: Vec<u32>,
+}
 
 impl Bounds {
     fn around<const N: usize>(points: [&[f64; 3]; N]) -> Self {
@@ -42,19 +60,41 @@ impl Bounds {
         }
     }
 
-    /// Never where a coordinate is not finite. Without jumps: they would be hard to predict.
-    #[inline]
-    fn holds(&self, p: &[f64; 3]) -> bool {
-        (0..3).fold(true, |all, i| all & (self.low[i] <= p[i]) & (p[i] <= self.high[i]))
-    }
-
-    fn meets(&self, low: &[f64; 3], high: &[f64; 3]) -> bool {
-        (0..3).all(|i| self.low[i] <= high[i] && low[i] <= self.high[i])
-    }
-
     /// Halved before the addition: the sum of two doubles may overflow.
     fn center(&self, axis: usize) -> f64 {
         self.low[axis] / 2.0 + self.high[axis] / 2.0
+    }
+}
+
+/// A power of two that brings a finite length `h >= 0` between about 1 and 4, or a shorter one below 4.
+fn scale(h: f64) -> f64 {
+    let biased = h.to_bits() >> 52 & 0x7ff;
+    f64::from_bits(2046_u64.saturating_sub(biased).max(1) << 52)
+}
+
+/// The largest float of 32 bits that is not above a number.
+fn below(x: f64) -> f32 {
+    let near = x as f32;
+    if f64::from(near) > x { near.next_down() } else { near }
+}
+
+fn above(x: f64) -> f32 {
+    -below(-x)
+}
+
+impl Node {
+    fn new(bounds: &Bounds, end: u32, id: u32) -> Self {
+        Self { low: bounds.low.map(below), high: bounds.high.map(above), end, id }
+    }
+
+    /// Without jumps: they would be hard to predict.
+    #[inline]
+    fn holds(&self, p: &[f64; 3]) -> bool {
+        (0..3).fold(true, |all, i| all & (f64::from(self.low[i]) <= p[i]) & (p[i] <= f64::from(self.high[i])))
+    }
+
+    fn meets(&self, low: &[f64; 3], high: &[f64; 3]) -> bool {
+        (0..3).all(|i| f64::from(self.low[i]) <= high[i] && low[i] <= f64::from(self.high[i]))
     }
 }
 
@@ -64,52 +104,71 @@ impl BoxTree {
     #[allow(single_use_lifetimes)]
     pub(super) fn new<'p, const N: usize>(sets: impl IntoIterator<Item = [&'p [f64; 3]; N]>) -> Self {
         let mut items: Vec<(Bounds, u32)> = sets.into_iter().map(Bounds::around).zip(0..).collect();
-        let mut nodes = Vec::with_capacity(2 * items.len());
-        build(&mut items, &mut nodes);
-        Self(nodes)
+        let mut out = Self { nodes: Vec::with_capacity(2 * items.len()), middle: [0.0; 3], scale: [1.0; 3] };
+        let around = |all: Option<Bounds>, (b, _): &(Bounds, u32)| Some(all.map_or(*b, |all| all.with(b)));
+        if let Some(all) = items.iter().fold(None, around) {
+            out.middle = [0, 1, 2].map(|i| all.center(i));
+            out.scale = [0, 1, 2].map(|i| scale(all.high[i] / 2.0 - all.low[i] / 2.0));
+        }
+        for (Bounds { low, high }, _) in &mut items {
+            (*low, *high) = (out.local(low), out.local(high));
+        }
+        build(&mut items, &mut out.nodes);
+        out
     }
 
-    /// The numbers of all boxes that meet the closed box `low..high`, ascending.
+    /// A place in the tree's own coordinates: within -4 and 4 in all boxes, unless the boxes are too wide to say.
+    #[inline]
+    pub(super) fn local(&self, p: &[f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| (p[i] - self.middle[i]) * self.scale[i])
+    }
+
+    /// The numbers of all boxes that meet the closed box `low..high`, ascending; perhaps some that only come close.
     pub(super) fn meeting(&self, [low, high]: [[f64; 3]; 2]) -> Vec<u32> {
         let mut ids = Vec::new();
-        self.search(|bounds| bounds.meets(&low, &high), |id| ids.push(id));
+        let (low, high) = (self.local(&low), self.local(&high));
+        self.search(|node| node.meets(&low, &high), |id| ids.push(id));
         ids.sort_unstable();
         ids
     }
 
-    /// Visits all boxes that hold a point, in no particular order; none where a coordinate is not finite.
+    /// Visits all boxes that hold a point, in no particular order, perhaps some that only come close; none where a coordinate
+    /// is not finite.
     #[inline]
     pub(super) fn holding(&self, p: &[f64; 3], visit: impl FnMut(u32)) {
-        self.search(|bounds| bounds.holds(p), visit);
+        if p.iter().all(|x| x.is_finite()) {
+            let p = self.local(p);
+            self.search(|node| node.holds(&p), visit);
+        }
     }
 
     #[inline]
-    fn search(&self, wanted: impl Fn(&Bounds) -> bool, mut visit: impl FnMut(u32)) {
+    fn search(&self, wanted: impl Fn(&Node) -> bool, mut visit: impl FnMut(u32)) {
         let mut at = 0;
-        while let Some(node) = self.0.get(at) {
-            if !wanted(&node.bounds) {
-                at = node.end;
+        while let Some(node) = self.nodes.get(at) {
+            let end = node.end as usize;
+            if !wanted(node) {
+                at = end;
                 continue;
             }
             at += 1;
-            if node.end == at {
+            if end == at {
                 visit(node.id);
             }
         }
     }
 
-    /// Visits all pairs of a point, by its place in the list, and a box that holds it. The points go down the tree
-    /// together: each node is fetched once for all that reach it. Of `scratch` only the memory is used.
-    pub(super) fn pairs(
-        &self,
-        points: &[[f64; 3]],
-        scratch: &mut Vec<u32>,
-        visit: &mut impl FnMut(usize, u32),
-    ) {
-        scratch.clear();
-        scratch.extend((0..).zip(points).map(|(i, _): (u32, _)| i));
-        if !self.0.is_empty() {
-            self.descend(0, 0, points, scratch, visit);
+    /// Visits all boxes that hold points, each with the places of these in the list, as [`Self::holding`] would each point's
+    /// boxes. The points go down the tree together: each node is fetched once for all that reach it.
+    pub(super) fn pairs(&self, points: &[[f64; 3]], walk: &mut Walk, visit: &mut impl FnMut(&[u32], u32)) {
+        let Walk { local, list } = walk;
+        local.clear();
+        local.extend(points.iter().map(|p| self.local(p)));
+        list.clear();
+        let finite = |(_, p): &(u32, &[f64; 3])| p.iter().all(|x| x.is_finite());
+        list.extend((0..).zip(points).filter(finite).map(|(i, _)| i));
+        if !self.nodes.is_empty() {
+            self.descend(0, 0, local, list, visit);
         }
     }
 
@@ -120,9 +179,9 @@ impl BoxTree {
         from: usize,
         points: &[[f64; 3]],
         list: &mut Vec<u32>,
-        visit: &mut impl FnMut(usize, u32),
+        visit: &mut impl FnMut(&[u32], u32),
     ) {
-        let Node { bounds, end, id } = &self.0[at];
+        let node = &self.nodes[at];
         let start = list.len();
         list.resize(2 * start - from, 0);
         let (above, own) = list.split_at_mut(start);
@@ -130,21 +189,16 @@ impl BoxTree {
         for &i in &above[from..] {
             // Written in any case and kept if counted: no jump that would be hard to predict.
             own[count] = i;
-            count += usize::from(bounds.holds(&points[i as usize]));
+            count += usize::from(node.holds(&points[i as usize]));
         }
         list.truncate(start + count);
-        if *end == at + 1 {
-            list[start..].iter().for_each(|&i| visit(i as usize, *id));
+        if count > 0 && node.end as usize == at + 1 {
+            visit(&list[start..], node.id);
         } else if count > 0 {
             self.descend(at + 1, start, points, list, visit);
-            self.descend(self.0[at + 1].end, start, points, list, visit);
+            self.descend(self.nodes[at + 1].end as usize, start, points, list, visit);
         }
         list.truncate(start);
-    }
-
-    /// The box around all boxes; `None` if there is none.
-    pub(super) fn bounds(&self) -> Option<[[f64; 3]; 2]> {
-        self.0.first().map(|root| [root.bounds.low, root.bounds.high])
     }
 }
 
@@ -153,20 +207,20 @@ fn build(items: &mut [(Bounds, u32)], nodes: &mut Vec<Node>) {
     let Some(&(first, id)) = items.first() else { return };
     let bounds = items.iter().fold(first, |all, (b, _)| all.with(b));
     let at = nodes.len();
-    nodes.push(Node { bounds, end: at + 1, id });
-    if items.len() == 1 {
-        return;
+    nodes.push(Node::new(&bounds, 0, id));
+    if items.len() > 1 {
+        // Halved for the same reason as in `center`.
+        let extent = |axis: usize| bounds.high[axis] / 2.0 - bounds.low[axis] / 2.0;
+        let axis = (1..3).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best });
+        let by_center = |a: &(Bounds, u32), b: &(Bounds, u32)| -> Ordering {
+            a.0.center(axis).total_cmp(&b.0.center(axis)).then(a.1.cmp(&b.1))
+        };
+        let middle = items.len() / 2;
+        items.select_nth_unstable_by(middle, by_center);
+        let (left, right) = items.split_at_mut(middle);
+        build(left, nodes);
+        build(right, nodes);
     }
-    // Halved for the same reason as in `center`.
-    let extent = |axis: usize| bounds.high[axis] / 2.0 - bounds.low[axis] / 2.0;
-    let axis = (1..3).fold(0, |best, axis| if extent(axis) > extent(best) { axis } else { best });
-    let by_center = |a: &(Bounds, u32), b: &(Bounds, u32)| -> Ordering {
-        a.0.center(axis).total_cmp(&b.0.center(axis)).then(a.1.cmp(&b.1))
-    };
-    let middle = items.len() / 2;
-    items.select_nth_unstable_by(middle, by_center);
-    let (left, right) = items.split_at_mut(middle);
-    build(left, nodes);
-    build(right, nodes);
-    nodes[at].end = nodes.len();
+    // A tree has less than two nodes a box.
+    nodes[at].end = u32::try_from(nodes.len()).unwrap_or(u32::MAX);
 }

@@ -47,10 +47,14 @@ impl Projection<'_> {
         for (value, sign) in values.iter_mut().zip(signs) {
             *value = if sign.is_zero() { 0.0 } else { value.clamp(0.0, 1.0) };
         }
-        let sum = |factor: &dyn Fn(usize) -> f64| (0..4).map(|k| factor(k) * values[k]).sum::<f64>();
         let corners = self.shell.faces[prism as usize];
-        let weights = corners.map(|v| sum(&|k| f64::from(u8::from(names[k].vertex == v))));
-        let height = sum(&|k| f64::from(names[k].layer.height()));
+        let (mut weights, mut height) = ([0.0; 3], 0.0);
+        for (name, value) in names.iter().zip(values) {
+            for (weight, corner) in weights.iter_mut().zip(corners) {
+                *weight += if name.vertex == corner { value } else { 0.0 };
+            }
+            height += f64::from(name.layer.height()) * value;
+        }
         FloatPoint { prism, weights, height, error }
     }
 

@@ -45,7 +45,8 @@ impl<'s> Projection<'s> {
         let vertices = shell.vertex_count();
         let ranks = ranks(order, vertices)?;
         let prisms = shell.prism_count();
-        let count = u32::try_from(prisms).ok().filter(|n| n.checked_mul(6).is_some());
+        // Six tets a prism, and two nodes of the tree a tet.
+        let count = u32::try_from(prisms).ok().filter(|n| n.checked_mul(12).is_some());
         let count = count.ok_or(ProjectionError::TooMany { prisms })?;
         let mut tets = Vec::with_capacity(6 * prisms);
         let mut starts = vec![0];

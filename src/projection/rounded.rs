@@ -46,16 +46,33 @@ impl Cross {
     }
 }
 
+/// The coordinates on the corners `a`, `b` of a tet `a b c d` and their bounds, from differences to the point. The tet
+/// `c d a b` is the same one, with the same orientation.
+#[inline]
+fn pair([a, b, c, d]: &[[f64; 3]; 4]) -> ([f64; 2], [f64; 2]) {
+    let cd = cross(c, d);
+    let ((on_a, error_a), (on_b, error_b)) = (cd.determinant(b), cd.determinant(a));
+    // Swapping two rows changes the sign, of the rounded numbers, too.
+    ([on_a, -on_b], [error_a, error_b])
+}
+
+/// False for every comparison with a NaN or an infinite bound.
+#[inline]
+fn is_outside((values, errors): &([f64; 2], [f64; 2])) -> bool {
+    (values[0] < -errors[0]) | (values[1] < -errors[1])
+}
+
 impl Rounded {
     /// For a positive tet none of the exact values is negative inside.
     #[inline]
     pub(super) fn new(tet: [&[f64; 3]; 4], p: &[f64; 3]) -> Self {
         let [a, b, c, d] = tet.map(|x| minus(x, p));
-        // Swapping two rows changes the sign, of the rounded numbers, too.
-        let (cd, ab) = (cross(&c, &d), cross(&a, &b));
-        let ((one, e1), (two, e2)) = (cd.determinant(&b), cd.determinant(&a));
-        let ((three, e3), (four, e4)) = (ab.determinant(&d), ab.determinant(&c));
-        Self { values: [one, -two, three, -four], errors: [e1, e2, e3, e4] }
+        Self::of(pair(&[a, b, c, d]), pair(&[c, d, a, b]))
+    }
+
+    #[inline]
+    fn of((one, e1): ([f64; 2], [f64; 2]), (two, e2): ([f64; 2], [f64; 2])) -> Self {
+        Self { values: [one[0], one[1], two[0], two[1]], errors: [e1[0], e1[1], e2[0], e2[1]] }
     }
 }
 
@@ -63,15 +80,29 @@ impl Rounded {
 /// finite coordinates.
 #[inline]
 pub(super) fn signs(tet: [&[f64; 3]; 4], p: &[f64; 3]) -> Option<[Sign; 4]> {
-    let Rounded { values, errors } = Rounded::new(tet, p);
-    // Most tets are left here. False for every comparison with a NaN or an infinite bound.
-    if (0..4).any(|k| values[k] < -errors[k]) {
+    // Most tets are left at one of these two places.
+    let [a, b, c, d] = tet.map(|x| minus(x, p));
+    let first = pair(&[a, b, c, d]);
+    if is_outside(&first) {
         return None;
     }
+    let second = pair(&[c, d, a, b]);
+    if is_outside(&second) {
+        return None;
+    }
+    let Rounded { values, errors } = Rounded::of(first, second);
+    if (0..4).all(|k| values[k] > errors[k]) {
+        return Some([Sign::Positive; 4]);
+    }
+    undecided(tet, p, |k| values[k] > errors[k])
+}
+
+#[cold]
+#[inline(never)]
+fn undecided(tet: [&[f64; 3]; 4], p: &[f64; 3], positive: impl Fn(usize) -> bool) -> Option<[Sign; 4]> {
     let mut signs = [Sign::Positive; 4];
     for (k, sign) in signs.iter_mut().enumerate() {
-        let positive = values[k] > errors[k];
-        if !positive {
+        if !positive(k) {
             let mut moved = tet;
             moved[k] = p;
             let [a, b, c, d] = moved;
