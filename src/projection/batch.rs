@@ -35,12 +35,12 @@ impl Projection<'_> {
         for (points, out) in points.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             let order = self.sorted(points);
             let mut answers = vec![None; points.len()];
-            order
-                .par_chunks(GROUP)
-                .zip(answers.par_chunks_mut(GROUP))
-                .for_each_init(Scratch::default, |scratch, (order, answers)| {
-                    self.group(points, order, scratch, answers)
-                });
+            order.par_chunks(GROUP).zip(answers.par_chunks_mut(GROUP)).for_each_init(
+                Scratch::default,
+                |scratch, (order, answers)| {
+                    self.group(points, order, scratch, answers);
+                },
+            );
             for (i, answer) in order.into_iter().zip(answers) {
                 out[i as usize] = answer;
             }
@@ -54,7 +54,10 @@ impl Projection<'_> {
             let place = self.tree().local(p);
             // Whatever the rounding does, it moves points in the order and changes no answer; a cell out of range is the
             // nearest, that of no number the first.
-            let cell = |i: usize| ((place[i] / 4.0 + 0.5) * CELLS).clamp(0.0, CELLS - 1.0) as u64;
+            let cell = |i: usize| {
+                let cell = ((place[i] / 4.0 + 0.5) * CELLS).clamp(0.0, CELLS - 1.0);
+                (cell as i64).cast_unsigned()
+            };
             (spread(cell(0)) << 2 | spread(cell(1)) << 1 | spread(cell(2))) << 32 | u64::from(number)
         };
         let mut keys: Vec<u64> = points.iter().zip(0..).map(key).collect();
