@@ -4,12 +4,13 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::CliError;
 use super::input::{self, Loaded, ThreeMeshes, read_regular};
 use super::output::{self, Json};
-use crate::projection::{Projection, Rat, ShellPoint};
+use crate::projection::{Projection, ShellPoint};
 
 /// Arguments of `homeo project`.
 #[derive(Debug, clap::Args)]
@@ -72,13 +73,12 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let order = input::order(&args.order, loaded.shell().vertex_count())?;
     let projection = Projection::new(loaded.shell(), &order)
         .map_err(|e| CliError::Read { file: loaded.shell_name(), reason: e.to_string() })?;
-    let report = Report { points: points.into_iter().map(|p| project(&projection, p)).collect() };
+    let report = Report { points: points.into_par_iter().map(|p| project(&projection, p)).collect() };
     json.emit(&report, &words(&report))?;
     Ok(ExitCode::from(u8::from(report.points.iter().any(|p| p.images.is_empty()))))
 }
 
 fn project(projection: &Projection<'_>, point: [f64; 3]) -> Point {
-    let exact = point.map(|x| Rat::try_from(x).unwrap_or_default());
     let image = |q: ShellPoint| Image {
         prism: q.prism,
         corners: projection.shell().faces.get(q.prism as usize).copied().unwrap_or_default(),
@@ -87,7 +87,7 @@ fn project(projection: &Projection<'_>, point: [f64; 3]) -> Point {
         approximate_weights: q.weights.each_ref().map(|w| w.to_f64().value()),
         approximate_height: q.height.to_f64().value(),
     };
-    Point { point, images: projection.project_all(&exact).into_iter().map(image).collect() }
+    Point { point, images: projection.images(&point).iter().map(|q| image(q.to_point())).collect() }
 }
 
 fn points(args: &Args) -> Result<Vec<[f64; 3]>, CliError> {

@@ -1,6 +1,7 @@
 //! The projection in floating point, located exactly and with a proved error bound for each answer.
 
 use super::exact::{Rat, rational};
+use super::rounded::Rounded;
 use super::{PointError, Projection, ShellPoint};
 use crate::predicate::Sign;
 
@@ -33,31 +34,28 @@ impl Projection<'_> {
     /// overflow, underflow) the exact image is rounded instead.
     #[must_use]
     pub fn project_f64(&self, p: &[f64; 3]) -> Option<FloatPoint> {
-        // The exact map answers with the smallest prism, too; of equal ones with the first.
-        let candidates =
-            self.signs_at(p).into_iter().map(|(tet, signs)| (self.prism_of(tet, &signs), tet, signs));
-        let (prism, tet, signs) = candidates.min_by_key(|&(prism, tet, _)| (prism, tet))?;
+        self.first_holder(p).map(|found| self.float_at(found, p))
+    }
+
+    /// The image of a point of a tet: its canonical prism, the tet, the signs of its coordinates.
+    pub(super) fn float_at(&self, (prism, tet, signs): (u32, u32, [Sign; 4]), p: &[f64; 3]) -> FloatPoint {
         let names = self.tets()[tet as usize].names;
         let Some(Coordinates { mut values, error }) = coordinates(self.points(&self.tets()[tet as usize]), p)
         else {
-            return self.project_exactly(p).map(|q| rounded(&q));
+            return rounded(&self.image_on(prism, tet, p).to_point());
         };
         for (value, sign) in values.iter_mut().zip(signs) {
             *value = if sign.is_zero() { 0.0 } else { value.clamp(0.0, 1.0) };
         }
-        let sum = |factor: &dyn Fn(usize) -> f64| (0..4).map(|k| factor(k) * values[k]).sum::<f64>();
         let corners = self.shell.faces[prism as usize];
-        let weights = corners.map(|v| sum(&|k| f64::from(u8::from(names[k].vertex == v))));
-        let height = sum(&|k| f64::from(names[k].layer.height()));
-        Some(FloatPoint { prism, weights, height, error })
-    }
-
-    /// The canonical prism of a point in a tet with these signs of coordinates.
-    fn prism_of(&self, tet: u32, signs: &[Sign; 4]) -> u32 {
-        let tet = &self.tets()[tet as usize];
-        let corners = self.shell.faces[tet.prism as usize];
-        let carries = |v: u32| (0..4).any(|k| tet.names[k].vertex == v && signs[k].is_positive());
-        self.stars.smallest(&self.shell.faces, tet.prism, corners.map(carries))
+        let (mut weights, mut height) = ([0.0; 3], 0.0);
+        for (name, value) in names.iter().zip(values) {
+            for (weight, corner) in weights.iter_mut().zip(corners) {
+                *weight += if name.vertex == corner { value } else { 0.0 };
+            }
+            height += f64::from(name.layer.height()) * value;
+        }
+        FloatPoint { prism, weights, height, error }
     }
 
     /// [`unproject`](Self::unproject) for rounded coordinates: the weights are divided by their sum
@@ -103,7 +101,7 @@ struct Coordinates {
 /// # The bound
 ///
 /// Let `u = 2^-53` and `n_k` the exact determinants, `N_k` the computed ones. By the proof at
-/// `predicate::determinant::filter3` (same expression, same operations)
+/// `predicate::determinant::filter3` (see [`Rounded`])
 /// `|n_k - N_k| <= E_k = 1e-15 permanent + 1e-300 L + 1e-300`. The volume is `v = sum n_k`; for the
 /// computed sum `V` with `A = sum |N_k|`, three additions give `|v - V| <= F = sum E_k + 4e-16 A`
 /// (`4e-16 > 3.001 u`). Provided that `F <= V / 2`:
@@ -118,29 +116,15 @@ struct Coordinates {
 /// `V - F` that is at least `V / 2`: the factor 1.001 covers them. Not a number and infinity fail
 /// the comparisons.
 fn coordinates(tet: [&[f64; 3]; 4], p: &[f64; 3]) -> Option<Coordinates> {
-    let [a, b, c, d] = tet.map(|x| [x[0] - p[0], x[1] - p[1], x[2] - p[2]]);
-    // Rows moved so that each determinant is positive inside.
-    let parts = [determinant(b, c, d), determinant(a, d, c), determinant(a, b, d), determinant(a, c, b)];
-    let volume: f64 = parts.iter().map(|(n, _)| n).sum();
-    let size: f64 = parts.iter().map(|(n, _)| n.abs()).sum();
-    let errors: f64 = parts.iter().map(|(_, e)| e).sum();
+    let Rounded { values: parts, errors } = Rounded::new(tet, p);
+    let volume: f64 = parts.iter().sum();
+    let size: f64 = parts.iter().map(|n| n.abs()).sum();
+    let errors: f64 = errors.iter().sum();
     let volume_error = errors + 4e-16 * size;
     if !(volume.is_finite() && volume_error <= volume / 2.0) {
         return None;
     }
     let bound = (errors + size / volume * volume_error) / (volume - volume_error);
     let error = 1.001 * bound + 2e-15;
-    (error <= MAX_ERROR).then(|| Coordinates { values: parts.map(|(n, _)| n / volume), error })
-}
-
-/// A determinant of rounded differences and its error bound, as in `predicate::determinant`.
-fn determinant(p: [f64; 3], q: [f64; 3], r: [f64; 3]) -> (f64, f64) {
-    let (q1r2, q2r1) = (q[1] * r[2], q[2] * r[1]);
-    let (q2r0, q0r2) = (q[2] * r[0], q[0] * r[2]);
-    let (q0r1, q1r0) = (q[0] * r[1], q[1] * r[0]);
-    let [x, y, z] = p.map(f64::abs);
-    let value = p[0] * (q1r2 - q2r1) + p[1] * (q2r0 - q0r2) + p[2] * (q0r1 - q1r0);
-    let permanent =
-        x * (q1r2.abs() + q2r1.abs()) + y * (q2r0.abs() + q0r2.abs()) + z * (q0r1.abs() + q1r0.abs());
-    (value, 1e-15 * permanent + 1e-300 * (x + y + z) + 1e-300)
+    (error <= MAX_ERROR).then(|| Coordinates { values: parts.map(|n| n / volume), error })
 }

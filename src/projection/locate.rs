@@ -1,7 +1,9 @@
 //! The map `P` and the search for the tets that hold a point.
 
+use std::ops::Range;
+
 use super::boxes::BoxTree;
-use super::exact::{Homogeneous, TetWeights, outer_box, rational_point};
+use super::exact::{Homogeneous, TetWeights, outer_box};
 use super::point::Stars;
 use super::{ProjectionError, Rat, ShellPoint};
 use crate::predicate::{Sign, orient3d};
@@ -43,7 +45,8 @@ impl<'s> Projection<'s> {
         let vertices = shell.vertex_count();
         let ranks = ranks(order, vertices)?;
         let prisms = shell.prism_count();
-        let count = u32::try_from(prisms).ok().filter(|n| n.checked_mul(6).is_some());
+        // Six tets a prism, and two nodes of the tree a tet.
+        let count = u32::try_from(prisms).ok().filter(|n| n.checked_mul(12).is_some());
         let count = count.ok_or(ProjectionError::TooMany { prisms })?;
         let mut tets = Vec::with_capacity(6 * prisms);
         let mut starts = vec![0];
@@ -78,11 +81,20 @@ impl<'s> Projection<'s> {
     /// The tets of one prism, in the same order; empty where there is no such prism.
     #[must_use]
     pub fn tets_of(&self, prism: u32) -> &[Tet] {
+        &self.tets[self.range_of(prism)]
+    }
+
+    /// Where the tets of a prism are in the list of all.
+    pub(super) fn range_of(&self, prism: u32) -> Range<usize> {
         let p = prism as usize;
         match (self.starts.get(p), self.starts.get(p.saturating_add(1))) {
-            (Some(&from), Some(&to)) => &self.tets[from as usize..to as usize],
-            _ => &[],
+            (Some(&from), Some(&to)) => from as usize..to as usize,
+            _ => 0..0,
         }
+    }
+
+    pub(super) fn tree(&self) -> &BoxTree {
+        &self.tree
     }
 
     /// The tets whose closed boxes meet a closed box, ascending.
@@ -121,25 +133,10 @@ impl<'s> Projection<'s> {
     /// predicates, so much faster. No location for coordinates that are not finite.
     #[must_use]
     pub fn locate_f64(&self, p: &[f64; 3]) -> Vec<Location> {
-        self.signs_at(p)
-            .into_iter()
-            .map(|(tet, signs)| self.location(tet, signs.map(Sign::is_positive)))
-            .collect()
-    }
-
-    /// The tets that hold the point, with the signs of its barycentric coordinates.
-    pub(super) fn signs_at(&self, p: &[f64; 3]) -> Vec<(u32, [Sign; 4])> {
-        if !p.iter().all(|x| x.is_finite()) {
-            return Vec::new();
-        }
-        let near = self.tree.meeting([*p, *p]).into_iter();
-        near.filter_map(|id| {
-            let [a, b, c, d] = self.points(&self.tets[id as usize]);
-            let signs =
-                [orient3d(p, b, c, d), orient3d(a, p, c, d), orient3d(a, b, p, d), orient3d(a, b, c, p)];
-            (!signs.iter().any(|s| s.is_negative())).then_some((id, signs))
-        })
-        .collect()
+        let mut found = Vec::new();
+        self.each_holder(p, |(tet, signs)| found.push(self.location(tet, signs.map(Sign::is_positive))));
+        found.sort_unstable_by_key(|location| location.tet);
+        found
     }
 
     fn location(&self, tet: u32, positive: [bool; 4]) -> Location {
@@ -158,7 +155,9 @@ impl<'s> Projection<'s> {
     /// [`is_inside`](Self::is_inside) for `f64` coordinates; `false` where one is not finite.
     #[must_use]
     pub fn is_inside_f64(&self, p: &[f64; 3]) -> bool {
-        !self.signs_at(p).is_empty()
+        let mut inside = false;
+        self.each_holder(p, |_| inside = true);
+        inside
     }
 
     /// The image of a point under `P`, exactly; `None` outside of the shell.
@@ -176,7 +175,7 @@ impl<'s> Projection<'s> {
     pub fn project_all(&self, p: &[Rat; 3]) -> Vec<ShellPoint> {
         let mut images: Vec<ShellPoint> = Vec::new();
         for (tet, weights) in self.weights_at(p) {
-            let image = self.canonical_of(&self.image(tet, &weights));
+            let image = self.canonical_of(&self.image_of(tet, &weights));
             if !images.contains(&image) {
                 images.push(image);
             }
@@ -185,15 +184,8 @@ impl<'s> Projection<'s> {
         images
     }
 
-    /// [`project`](Self::project) for a point with `f64` coordinates, taken exactly; the answer is
-    /// exact, too. `None` where a coordinate is not finite.
-    #[must_use]
-    pub fn project_exactly(&self, p: &[f64; 3]) -> Option<ShellPoint> {
-        p.iter().all(|x| x.is_finite()).then(|| self.project(&rational_point(p))).flatten()
-    }
-
     /// The image by barycentric sums (THEORY section 1, reference map).
-    pub(super) fn image(&self, tet: u32, weights: &TetWeights) -> ShellPoint {
+    fn image_of(&self, tet: u32, weights: &TetWeights) -> ShellPoint {
         let tet = &self.tets[tet as usize];
         let corners = self.shell.faces[tet.prism as usize];
         let on = |v: u32| weights.combine(tet.names.map(|n| i8::from(n.vertex == v)));

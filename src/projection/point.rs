@@ -97,15 +97,13 @@ impl Stars {
     /// The smallest triangle with all the corners of `face` that are marked; `face` for none.
     pub(crate) fn smallest(&self, faces: &[[u32; 3]], face: u32, marked: [bool; 3]) -> u32 {
         let corners = faces[face as usize];
-        let mut support = (0..3).filter(|&k| marked[k]).map(|k| corners[k]);
-        let Some(first) = support.next() else { return face };
-        let rest: Vec<u32> = support.collect();
-        if rest.len() == 2 {
+        if marked == [true; 3] {
             return face;
         }
+        let Some(first) = (0..3).find(|&k| marked[k]) else { return face };
         // Stars are ascending, so the first triangle that fits is the smallest.
-        let fits = |f: &u32| rest.iter().all(|v| faces[*f as usize].contains(v));
-        self.of(first).iter().copied().find(fits).unwrap_or(face)
+        let fits = |f: &u32| (0..3).all(|k| !marked[k] || faces[*f as usize].contains(&corners[k]));
+        self.of(corners[first]).iter().copied().find(fits).unwrap_or(face)
     }
 
     /// The smallest triangle on which the point of `face` with these weights can be written, and

@@ -35,7 +35,8 @@
 //!
 //! The piece is chosen by signs of linear forms. They are evaluated in doubles with the proved bounds of
 //! `near`, and in integers where these do not decide. So the piece is always the right one, also in the
-//! functions that end in `_f64`, whose weights alone are rounded.
+//! functions that end in `_f64`, whose weights alone are rounded. Many points go best through
+//! [`Transfer::forward_batch_f64`] and its likes: the same answers, on all threads.
 //!
 //! # Cost
 //!
@@ -52,6 +53,7 @@
 //! space, where only a lift can choose; that case is not solved here.
 
 pub mod attribute;
+mod batch;
 mod chart;
 mod compare;
 mod exact;

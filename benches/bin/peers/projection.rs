@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 use std::hint::black_box;
 use std::time::Instant;
 
-use homeo::projection::{Projection, Rat};
+use homeo::projection::{Projection, Rat, ShellPoint};
 use homeo::shell::VertexOrder;
 use homeo_benches::generate::{offset_shell, sphere};
 use homeo_benches::prism;
 use homeo_benches::random::Random;
 use homeo_benches::ratio::{Side, take_turns};
+use homeo_benches::run::on_one_thread;
 use homeo_benches::subject::Subject;
 
 use crate::error::{PeersError, Res};
@@ -24,12 +25,16 @@ const CGAL: [(&str, &[&str], f64); 4] = [
     ("CGAL EPECK forced exact, barycentric sums", &["--sums"], 10.0),
 ];
 
+/// How often all points are projected in one measurement.
+const PASSES: usize = 10;
+
 pub(crate) fn run(plan: &Plan, report: &mut Report) -> Res {
     let shell = offset_shell(&sphere(plan.options.size(50, 12)), 0.3);
     let projection = Projection::new(&shell, &VertexOrder::Id)?;
     let cases = cases(&projection, plan.options.size(2_000, 200));
     exact(plan, &projection, &cases, report)?;
-    float(plan, &projection, &cases, report)
+    float(&projection, &cases, report)?;
+    batch(plan, &projection, &self::cases(&projection, plan.options.size(200_000, 2_000)), report)
 }
 
 /// A point, and a prism that holds it.
@@ -51,35 +56,62 @@ fn cases(projection: &Projection<'_>, count: usize) -> Vec<Case> {
     (0..count).map(case).filter(|(_, p)| projection.is_inside_f64(p)).collect()
 }
 
-/// The seconds of one point, its tet not known before: CGAL's programs are told the prism.
-fn ours<'a>(cases: &'a [Case], project: impl Fn(&[f64; 3]) + 'a) -> Side<'a, PeersError> {
+/// The seconds of one point. Several passes over all points: one would be over in less than a millisecond.
+fn ours<'a>(cases: &'a [Case], project: impl Fn(u32, &[f64; 3]) + 'a) -> Side<'a, PeersError> {
     Box::new(move || {
         let start = Instant::now();
-        cases.iter().for_each(|(_, p)| project(black_box(p)));
-        Ok(start.elapsed().as_secs_f64() / cases.len() as f64)
+        for _ in 0..PASSES {
+            cases.iter().for_each(|(prism, p)| project(*prism, black_box(p)));
+        }
+        Ok(start.elapsed().as_secs_f64() / (PASSES * cases.len()) as f64)
     })
 }
 
-fn exact(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
-    let what = "exact projection of a point";
+/// What is expected of the programs, and what they are sent.
+fn questions(projection: &Projection<'_>, cases: &[Case]) -> Res<(Vec<BTreeSet<String>>, Vec<f64>)> {
     let shell = projection.shell();
     let ranks = VertexOrder::Id.ranks(shell.vertex_count());
-    let mut answers = Vec::new();
-    let mut numbers = Vec::new();
+    let (mut answers, mut numbers) = (Vec::new(), Vec::new());
     for (id, p) in cases {
         let corners = prism::corners(shell, &ranks, *id);
+        let written = |image: &ShellPoint| prism::written(shell, image, corners);
         let [x, y, z] = p.map(|x| Rat::try_from(x).unwrap_or(Rat::ZERO));
         let images = projection.project_all(&[x, y, z]);
-        answers.push(
-            images.iter().filter_map(|i| prism::written(shell, i, corners)).collect::<BTreeSet<String>>(),
-        );
+        let wanted: BTreeSet<String> = images.iter().filter_map(written).collect();
+        let found = projection.images_in(*id, p);
+        if found.iter().filter_map(|image| written(&image.to_point())).collect::<BTreeSet<_>>() != wanted {
+            let what = format!("{p:?} in prism {id}: not {wanted:?}");
+            return Err(PeersError::Disagrees { who: "images_in".to_owned(), what });
+        }
+        answers.push(wanted);
         numbers.extend(prism::numbers(shell, corners, p));
     }
-    let mut sides = vec![ours(cases, |p| drop(black_box(projection.project_exactly(p))))];
+    Ok((answers, numbers))
+}
+
+/// What is done here for a point, as a row says it. The first is what CGAL's programs do: they are told the prism, and find
+/// all images in it.
+const OURS: [&str; 4] = [
+    "exact projection of a point",
+    "the same in lowest terms",
+    "the same, the prism to be found, too",
+    "the same in lowest terms, the prism to be found, too",
+];
+
+fn exact(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
+    let (answers, numbers) = questions(projection, cases)?;
+    let (answers, numbers) = (&answers, &numbers);
+    let mut sides = vec![
+        ours(cases, |prism, p| drop(black_box(projection.images_in(prism, p)))),
+        ours(cases, |prism, p| {
+            projection.images_in(prism, p).iter().for_each(|image| drop(black_box(image.to_point())));
+        }),
+        ours(cases, |_, p| drop(black_box(projection.image(p)))),
+        ours(cases, |_, p| drop(black_box(projection.project_exactly(p)))),
+    ];
     if let Some(cgal) = &plan.cgal {
         for (_, options, _) in CGAL {
             let mut subject = Subject::start(&cgal.0, "projection", options)?;
-            let (answers, numbers) = (&answers, &numbers);
             sides.push(Box::new(move || {
                 subject.send("timed", answers.len(), numbers)?;
                 let first = subject.line()?;
@@ -99,34 +131,81 @@ fn exact(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut 
     }
     let times = take_turns(plan.options.rounds, true, &mut sides)?;
     for (k, (name, _, factor)) in CGAL.into_iter().enumerate() {
-        let asked = Some(Asked::AtLeast(factor));
-        report.row(match times.get(k + 1) {
-            Some(theirs) => Row::ratio(what, name, asked, theirs, &times[0]),
-            None => Row::absent(what, name, asked, NOT_BUILT),
-        });
+        for (i, what) in OURS.into_iter().enumerate() {
+            let asked = (i == 0).then_some(Asked::AtLeast(factor));
+            report.row(match times.get(k + OURS.len()) {
+                Some(theirs) => Row::ratio(what, name, asked, theirs, &times[i]),
+                None => Row::absent(what, name, asked, NOT_BUILT),
+            });
+        }
     }
     Ok(())
 }
 
 /// Ways to project in doubles; to be compared with the exact one.
-fn float(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
-    let single = ours(cases, |p| {
-        black_box(projection.project_f64(p));
-    });
-    let exact = ours(cases, |p| drop(black_box(projection.project_exactly(p))));
+fn float(projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
     let mut worst = [0.0, 0.0];
     for (_, p) in cases {
         for (w, x) in worst.iter_mut().zip(error(projection, p)?) {
             *w = f64::max(*w, x);
         }
     }
-    let times = take_turns(plan.options.rounds, true, &mut [single, exact])?;
     let meaning =
         format!("largest error / its stated bound; {} points, largest error {:.1e}", cases.len(), worst[1]);
-    let (what, own) = ("f64 projection", "own exact path");
-    report.row(Row::value("f64 projection: error", own, Some(Asked::AtMost(1.0)), worst[0], &meaning));
-    report.row(Row::ratio(&format!("{what}, one point"), own, None, &times[1], &times[0]));
-    report.row(Row::absent(&format!("{what}, batched"), own, None, "not built yet"));
+    report.row(Row::value(
+        "f64 projection: error",
+        "own exact path",
+        Some(Asked::AtMost(1.0)),
+        worst[0],
+        &meaning,
+    ));
+    Ok(())
+}
+
+/// Many points at once: neighbours in space follow upon each other by chance alone.
+fn batch(plan: &Plan, projection: &Projection<'_>, cases: &[Case], report: &mut Report) -> Res {
+    let points: Vec<[f64; 3]> = cases.iter().map(|(_, p)| *p).collect();
+    let single = |p: &[f64; 3]| projection.project_f64(p);
+    if !on_one_thread(|| projection.project_batch_f64(&points))?.into_iter().eq(points.iter().map(single)) {
+        let what = "a batch is not its single calls".to_owned();
+        return Err(PeersError::Disagrees { who: "f64 projection".to_owned(), what });
+    }
+    let each = |project: &dyn Fn(&[f64; 3])| {
+        let start = Instant::now();
+        points.iter().for_each(|p| project(black_box(p)));
+        Ok(start.elapsed().as_secs_f64() / points.len() as f64)
+    };
+    let together = || {
+        let start = Instant::now();
+        drop(black_box(projection.project_batch_f64(black_box(&points))));
+        start.elapsed().as_secs_f64() / points.len() as f64
+    };
+    let mut sides: Vec<Side<'_, PeersError>> = vec![
+        Box::new(|| Ok(on_one_thread(together)?)),
+        Box::new(|| Ok(together())),
+        Box::new(|| {
+            each(&|p| {
+                black_box(projection.project_f64(p));
+            })
+        }),
+        Box::new(|| each(&|p| drop(black_box(projection.image(p))))),
+        Box::new(|| each(&|p| drop(black_box(projection.project_exactly(p))))),
+    ];
+    let times = take_turns(plan.options.rounds, true, &mut sides)?;
+    let exactly = ["own exact path", "own exact path, lowest terms"];
+    let threads = rayon::current_num_threads();
+    for (what, ours) in [
+        ("f64 projection, one point".to_owned(), 2),
+        (format!("f64 projection, batched, {} points", points.len()), 0),
+        (format!("f64 projection, batched, {} points, {threads} threads", points.len()), 1),
+    ] {
+        for (own, theirs) in exactly.into_iter().zip(3..) {
+            report.row(Row::ratio(&what, own, None, &times[theirs], &times[ours]));
+        }
+        if ours < 2 {
+            report.row(Row::ratio(&what, "single calls", None, &times[2], &times[ours]));
+        }
+    }
     Ok(())
 }
 

@@ -1,10 +1,12 @@
 //! Attributes along the map.
 
+use rayon::prelude::*;
+
 use super::{Attribute, AttributeError, Domain, Values};
 use crate::mesh::TriMesh;
 use crate::number::Rat;
 use crate::projection::SectionError;
-use crate::transfer::{ExactPoint, Transfer};
+use crate::transfer::{ExactPoint, FloatMeshPoint, Transfer};
 
 /// Weights on a triangle's corners.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +38,7 @@ pub struct Samples {
 }
 
 impl Samples {
-    /// Carries the target's vertices and the centroids of its triangles back to the source.
+    /// Carries the target's vertices and the centroids of its triangles back to the source, on rayon's threads.
     ///
     /// # Errors
     /// [`AttributeError`]: a vertex in no triangle, or a point that the map has no answer for.
@@ -49,42 +51,43 @@ impl Samples {
                 }
             }
         }
-        let mut vertices = Vec::with_capacity(corner.len());
-        for (vertex, place) in corner.into_iter().enumerate() {
-            let (face, k) = place.ok_or(AttributeError::LooseVertex { vertex })?;
-            let weights = [0, 1, 2].map(|i| f64::from(u8::from(i == k)));
-            let sample = sample(transfer, face, weights, exact);
-            vertices.push(sample.map_err(|source| AttributeError::Map {
-                element: "vertex",
-                index: vertex,
-                source,
-            })?);
+        let place = |(face, k): (u32, usize)| (face, [0, 1, 2].map(|i| f64::from(u8::from(i == k))));
+        // What comes after a vertex in no triangle is not asked for: the first fault is the one to tell.
+        let places: Vec<_> = corner.iter().map_while(|found| found.map(place)).collect();
+        let vertices = samples(transfer, &places, exact, "vertex")?;
+        if vertices.len() < corner.len() {
+            return Err(AttributeError::LooseVertex { vertex: vertices.len() });
         }
-        let mut faces = Vec::with_capacity(target.faces.len());
-        for (index, face) in (0..target.faces.len()).zip(0_u32..) {
-            let sample = sample(transfer, face, [1.0; 3], exact);
-            faces.push(sample.map_err(|source| AttributeError::Map {
-                element: "triangle",
-                index,
-                source,
-            })?);
-        }
-        Ok(Self { vertices, faces })
+        let centroids: Vec<_> = (0..).zip(&target.faces).map(|(face, _)| (face, [1.0; 3])).collect();
+        Ok(Self { vertices, faces: samples(transfer, &centroids, exact, "triangle")? })
     }
 }
 
-fn sample(
+/// Points of the source for points of the target, by triangle and weights, on rayon's threads; else the first fault.
+fn samples(
     transfer: &Transfer<'_>,
-    face: u32,
-    weights: [f64; 3],
+    points: &[(u32, [f64; 3])],
     exact: bool,
-) -> Result<Sample, SectionError> {
-    if exact {
-        let point = transfer.backward(&ExactPoint::from_f64(face, weights)?)?;
-        return Ok(Sample { face: point.face, weights: Weights::Exact(point.rationals()), error: 0.0 });
-    }
-    let point = transfer.backward_f64(face, weights)?;
-    Ok(Sample { face: point.face, weights: Weights::Float(point.weights), error: point.error })
+    element: &'static str,
+) -> Result<Vec<Sample>, AttributeError> {
+    let found: Vec<Result<Sample, SectionError>> = if exact {
+        let sample = |&(face, weights): &(u32, [f64; 3])| {
+            let point = transfer.backward(&ExactPoint::from_f64(face, weights)?)?;
+            Ok(Sample { face: point.face, weights: Weights::Exact(point.rationals()), error: 0.0 })
+        };
+        points.par_iter().map(sample).collect()
+    } else {
+        let sample = |point: FloatMeshPoint| Sample {
+            face: point.face,
+            weights: Weights::Float(point.weights),
+            error: point.error,
+        };
+        transfer.backward_batch_f64(points).into_iter().map(|found| found.map(sample)).collect()
+    };
+    let named = |(index, found): (usize, Result<Sample, SectionError>)| {
+        found.map_err(|source| AttributeError::Map { element, index, source })
+    };
+    found.into_iter().enumerate().map(named).collect()
 }
 
 /// The attribute on the target mesh; the table in [`super`] says how. With exact weights the interpolation is

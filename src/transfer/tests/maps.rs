@@ -1,8 +1,8 @@
 use super::{exact, generated, points};
 use crate::mesh::TriMesh;
-use crate::projection::{MAX_ERROR, MeshPoint, Projection, SectionMap};
+use crate::projection::{MAX_ERROR, MeshPoint, Projection, SectionError, SectionMap};
 use crate::shell::{Shell, VertexOrder};
-use crate::transfer::{ExactPoint, Transfer};
+use crate::transfer::{ExactPoint, FloatMeshPoint, Transfer};
 
 fn same_as_the_slow_maps(shell: &Shell, order: &VertexOrder, a: &TriMesh, b: &TriMesh, count: usize) {
     let projection = Projection::new(shell, order).unwrap();
@@ -120,4 +120,31 @@ fn planes_across_a_prism() {
     let q = transfer.forward(&ExactPoint::new(0, [3.into(), 0.into(), 3.into()]).unwrap()).unwrap();
     assert_eq!((q.face, q.texts()), (0, ["0", "1", "0"].map(str::to_owned)));
     assert_eq!(transfer.forward_f64(0, [0.25, 0.25, 0.5]).unwrap().weights, [0.25, 0.5, 0.25]);
+}
+
+/// Equal numbers may differ in the sign of zero.
+#[test]
+fn batches_are_single_calls() {
+    let (shell, a, b) = generated();
+    let projection = Projection::new(&shell, &VertexOrder::Id).unwrap();
+    let transfer = Transfer::new(&projection, &a, &b).unwrap();
+    let bits = |answer: Result<FloatMeshPoint, SectionError>| {
+        answer.map(|q| (q.face, q.weights.map(f64::to_bits), q.error.to_bits()))
+    };
+    for (mesh, forth) in [(&a, true), (&b, false)] {
+        let mut list = points(mesh, 3000, 17);
+        list.extend([(u32::MAX, [1.0; 3]), (0, [0.0; 3]), (1, [-1.0, 1.0, 1.0]), (2, [f64::NAN; 3])]);
+        let one = |&(face, weights): &(u32, [f64; 3])| {
+            if forth { transfer.forward_f64(face, weights) } else { transfer.backward_f64(face, weights) }
+        };
+        let single: Vec<_> = list.iter().map(|p| bits(one(p))).collect();
+        assert_eq!(single.iter().filter(|found| found.is_err()).count(), 4);
+        for threads in [1, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let batch = pool.install(|| {
+                if forth { transfer.forward_batch_f64(&list) } else { transfer.backward_batch_f64(&list) }
+            });
+            assert_eq!(batch.into_iter().map(bits).collect::<Vec<_>>(), single);
+        }
+    }
 }
