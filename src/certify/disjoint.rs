@@ -8,7 +8,7 @@ use super::complex::{Boundary, MeshView};
 use super::exact::common_point;
 use super::observer::Observer;
 use super::pairs::BoxTree;
-use super::separate::{Named, Pair, PlaneName, PointName};
+use super::separate::{Few, Named, Pair, PlaneName, PointName};
 use crate::mesh::{Connectivity, TriMesh};
 use crate::number::dyadic::scale_points;
 use crate::predicate::same_point;
@@ -96,7 +96,7 @@ pub(crate) fn decide(
         About::Mesh => mesh.faces.len(),
         About::Bottom | About::Top => shell.faces.len(),
     };
-    let tree = BoxTree::new((0..count as u32).map(|j| job.second(j).iter().map(|n| n.at).collect()));
+    let tree = BoxTree::new((0..count as u32).map(|j| job.second(j).map(|n| n.at)));
     let parts: Vec<Result<Disjoint, CertifyError>> = (0..mesh.faces.len() as u32)
         .into_par_iter()
         .map(|i| {
@@ -153,7 +153,7 @@ impl<'a> Job<'a> {
     fn pair(&self, i: u32, j: u32) -> Result<Found, CertifyError> {
         let (a, b) = (self.first(i), self.second(j));
         let exact_common = self.about == About::Mesh;
-        let points: Vec<Named<'_>> = a.into_iter().chain(b).collect();
+        let points: Few<Named<'_>> = a.into_iter().chain(b).collect();
         let common = (0..6).map(|k| match points[k].name {
             // Mesh vertices are common by id; a pinched vertex, wherever a mesh vertex has its coordinates.
             PointName::Mesh(_) if exact_common => {

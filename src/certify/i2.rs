@@ -12,7 +12,7 @@ use super::observer::Observer;
 use super::pairs::BoxTree;
 use super::point::{bounds, boxes_meet};
 use super::positivity::dyadic;
-use super::separate::{Named, Pair, PlaneName, PointName};
+use super::separate::{Few, Named, Pair, PlaneName, PointName};
 use crate::number::dyadic::scale_points;
 use crate::predicate::{Sign, StageCounts, dot_sign_staged};
 use crate::shell::{Layer, Name, Shell, Slab, Tet};
@@ -108,7 +108,7 @@ pub(crate) fn decide(
 }
 
 impl<'a> Job<'a> {
-    fn prism_points(&self, prism: u32) -> Vec<&'a [f64; 3]> {
+    fn prism_points(&self, prism: u32) -> Few<&'a [f64; 3]> {
         let layers = [Layer::Bottom, Layer::Middle, Layer::Top];
         let face = self.shell.faces[prism as usize];
         layers.iter().flat_map(|&layer| face.map(|v| &self.shell.layer(layer)[v as usize])).collect()
@@ -141,7 +141,7 @@ impl<'a> Job<'a> {
         Ok(())
     }
 
-    fn named(&self, f: u32, names: &[Name]) -> Vec<Named<'a>> {
+    fn named(&self, f: u32, names: &[Name]) -> Few<Named<'a>> {
         let face = self.mesh.faces[f as usize];
         let mesh = face.map(|v| Named { name: PointName::Mesh(v), at: &self.mesh.vertices[v as usize] });
         let shell = names.iter().map(|&n| Named { name: PointName::Shell(n), at: self.shell.position(n) });

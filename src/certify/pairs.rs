@@ -21,9 +21,9 @@ fn corners(points: &[&[f64; 3]]) -> ([f64; 3], [f64; 3]) {
 
 impl BoxTree {
     /// A tree over the boxes of point sets, numbered as they come. O(n log n).
-    pub(crate) fn new<'p, I: IntoIterator<Item = Vec<&'p [f64; 3]>>>(sets: I) -> Self {
-        let leaf = |(id, points): (usize, Vec<&[f64; 3]>)| {
-            let (low, high) = corners(&points);
+    pub(crate) fn new<'p, P: AsRef<[&'p [f64; 3]]>>(sets: impl IntoIterator<Item = P>) -> Self {
+        let leaf = |(id, points): (usize, P)| {
+            let (low, high) = corners(points.as_ref());
             GeomWithData::new(Rectangle::from_corners(low, high), u32::try_from(id).unwrap_or(u32::MAX))
         };
         Self { tree: RTree::bulk_load(sets.into_iter().enumerate().map(leaf).collect()) }

@@ -11,7 +11,7 @@ use super::exact::{ExactPiece, to_integers};
 use super::observer::Observer;
 use super::pairs::BoxTree;
 use super::positivity::bad_tet;
-use super::separate::{Named, Pair, PlaneName, PointName};
+use super::separate::{Few, Named, Pair, PlaneName, PointName};
 use super::witness::BadTet;
 use crate::predicate::orient3d;
 use crate::shell::{Name, Shell, Tet, VertexOrder};
@@ -127,7 +127,7 @@ pub(crate) fn decide(
     let skin = skin(&tets);
     let mut out = Prisms { skin: skin.len(), ..Prisms::default() };
     let job = Job { shell, tets, skin };
-    let tree = BoxTree::new(job.skin.iter().map(|(names, _)| names.map(|n| shell.position(n)).to_vec()));
+    let tree = BoxTree::new(job.skin.iter().map(|(names, _)| names.map(|n| shell.position(n))));
     let found: Vec<Result<_, CertifyError>> = (0..u32::try_from(job.skin.len()).unwrap_or(u32::MAX))
         .into_par_iter()
         .map(|i| {
@@ -166,7 +166,7 @@ impl<'a> Job<'a> {
 
     fn pair(&self, i: u32, j: u32) -> Result<Option<Found>, CertifyError> {
         let (a, b) = (self.corners(i), self.corners(j));
-        let points: Vec<Named<'_>> = a.into_iter().chain(b).collect();
+        let points: Few<Named<'_>> = a.into_iter().chain(b).collect();
         let is_common = |k: usize| {
             let other = if k < 3 { &b } else { &a };
             other.iter().any(|o| o.name == points[k].name)
@@ -206,7 +206,7 @@ impl<'a> Job<'a> {
         if roots.is_empty() {
             return;
         }
-        let tree = BoxTree::new(self.tets.iter().map(|t| points(t).to_vec()));
+        let tree = BoxTree::new(self.tets.iter().map(&points));
         let ones = [1, 1, 1].map(IBig::from);
         let third = [1, 1, 1].map(|one| RBig::from(one) / RBig::from(3));
         for root in roots {

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use rustc_hash::FxHashSet;
+use smallvec::SmallVec;
 
 use super::exact::{Vec3, dot, minus, sign};
 use super::write::joined;
@@ -99,30 +100,29 @@ pub(crate) struct Named<'a, P = [f64; 3]> {
 #[derive(Debug)]
 pub(crate) struct Pair<'a, P = [f64; 3]> {
     /// All points: the first `split` are `A`, the others `B`. `A`'s first three are the mesh triangle.
-    pub(crate) points: Vec<Named<'a, P>>,
+    pub(crate) points: Few<Named<'a, P>>,
     pub(crate) split: usize,
     /// Per point: does it count as common?
-    pub(crate) common: Vec<bool>,
+    pub(crate) common: Few<bool>,
     /// Whether a remainder must be exactly the common part (C6 of one mesh) or at most one common point.
     pub(crate) exact_common: bool,
 }
 
+/// As many as a triangle and a prism have, without a heap: most pairs of a large mesh need no more than a few signs.
+pub(crate) type Few<T> = SmallVec<[T; 12]>;
+
 /// Indices of points that all planes so far have gone through.
-type Remainder = Vec<usize>;
+type Remainder = Few<usize>;
 
 impl<P: ExactPoint> Pair<'_, P> {
     fn is_harmless(&self, remainder: &[usize]) -> bool {
-        let side = |in_a: bool| -> Vec<usize> {
-            remainder.iter().copied().filter(|&i| (i < self.split) == in_a).collect()
-        };
         let harmless = |in_a: bool| {
-            let left = side(in_a);
             if self.exact_common {
-                let all = if in_a { 0..self.split } else { self.split..self.points.len() };
-                all.into_iter().all(|i| self.common[i] == left.contains(&i))
-            } else {
-                left.is_empty() || (left.len() == 1 && self.common[left[0]])
+                let mut all = if in_a { 0..self.split } else { self.split..self.points.len() };
+                return all.all(|i| self.common[i] == remainder.contains(&i));
             }
+            let mut left = remainder.iter().filter(|&&i| (i < self.split) == in_a);
+            left.next().is_none_or(|&i| self.common[i] && left.next().is_none())
         };
         harmless(true) || harmless(false)
     }
@@ -130,7 +130,7 @@ impl<P: ExactPoint> Pair<'_, P> {
     /// The points on the plane, when it separates what remains.
     fn pass(&self, remainder: &[usize], value: impl Fn(usize) -> Sign) -> Option<Remainder> {
         let (mut a, mut b) = (Sign::Zero, Sign::Zero);
-        let mut on = Vec::new();
+        let mut on = Few::new();
         for &i in remainder {
             let sign = value(i);
             let side = if i < self.split { &mut a } else { &mut b };

@@ -66,7 +66,7 @@ pub(crate) struct Survey {
 pub(crate) fn survey(cx: Lifting<'_>, observer: &dyn Observer) -> Result<Survey, CertifyError> {
     observer.stage("survey", Some(cx.mesh.faces.len() as u64));
     let tets = 0..cx.complex.tets.len() as u32;
-    let tree = BoxTree::new(tets.map(|t| cx.complex.points(t).to_vec()));
+    let tree = BoxTree::new(tets.map(|t| cx.complex.points(t)));
     let parts: Vec<Result<Survey, CertifyError>> = (0..cx.mesh.faces.len() as u32)
         .into_par_iter()
         .map(|face| {

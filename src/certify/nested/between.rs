@@ -2,6 +2,7 @@
 
 use dashu_int::IBig;
 use rayon::prelude::*;
+use smallvec::smallvec;
 
 use super::super::CertifyError;
 use super::super::exact::common_point;
@@ -40,8 +41,7 @@ pub(super) fn second_name(vertex: u32) -> PointName {
 pub(super) fn decide(a: &TriMesh, b: &TriMesh, observer: &dyn Observer) -> Result<Between, CertifyError> {
     observer.stage("between", Some(a.faces.len() as u64));
     let corners = |mesh: &'_ TriMesh, f: usize| mesh.faces[f].map(|v| v as usize);
-    let tree =
-        BoxTree::new((0..b.faces.len()).map(|f| corners(b, f).iter().map(|&v| &b.vertices[v]).collect()));
+    let tree = BoxTree::new((0..b.faces.len()).map(|f| corners(b, f).map(|v| &b.vertices[v])));
     let parts: Vec<Result<Between, CertifyError>> = (0..a.faces.len())
         .into_par_iter()
         .map(|i| {
@@ -73,7 +73,7 @@ impl Between {
         let second = b.faces[j as usize].map(|v| (second_name(v), &b.vertices[v as usize]));
         let points = first.into_iter().chain(second).map(|(name, at)| Named { name, at }).collect();
         // Nothing is common: a remainder is harmless when it is empty.
-        let pair = Pair { points, split: 3, common: vec![false; 6], exact_common: true };
+        let pair = Pair { points, split: 3, common: smallvec![false; 6], exact_common: true };
         if pair.closed_by([0, 1, 2]) || pair.closed_by([3, 4, 5]) {
             return Ok(());
         }

@@ -7,7 +7,7 @@ use super::super::CertifyError;
 use super::super::exact::common_point;
 use super::super::observer::Observer;
 use super::super::pairs::BoxTree;
-use super::super::separate::{Named, Pair, PlaneName, PointName};
+use super::super::separate::{Few, Named, Pair, PlaneName, PointName};
 use super::points::Point;
 use super::witness::Witness;
 use dashu_int::IBig;
@@ -45,7 +45,7 @@ pub(super) fn decide<P: Point>(
         .iter()
         .map(|t| t.vertices.iter().flat_map(|&v| points[v as usize].corners()).collect())
         .collect();
-    let tree = BoxTree::new(corners.iter().map(|c| c.iter().collect()));
+    let tree = BoxTree::new(corners.iter().map(|c| c.iter().collect::<Few<_>>()));
     let parts: Vec<Result<Apart, CertifyError>> = (0..triangles.len())
         .into_par_iter()
         .map(|i| {
@@ -78,7 +78,7 @@ impl Apart {
             return Ok(());
         }
         self.pairs += 1;
-        let ids: Vec<u32> = s.vertices.into_iter().chain(t.vertices).collect();
+        let ids: Few<u32> = s.vertices.into_iter().chain(t.vertices).collect();
         let common =
             (0..6).map(|i| if i < 3 { ids[3..].contains(&ids[i]) } else { ids[..3].contains(&ids[i]) });
         let named = ids.iter().map(|&v| Named { name: PointName::Mesh(v), at: &points[v as usize] });

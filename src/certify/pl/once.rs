@@ -4,6 +4,7 @@ use dashu_int::IBig;
 
 use super::super::exact::{Vec3, determinant};
 use super::super::pairs::BoxTree;
+use super::super::separate::Few;
 use super::facets::Facets;
 use super::points::Point;
 use super::witness::Witness;
@@ -14,7 +15,7 @@ pub(super) fn covered_twice<P: Point>(facets: &Facets<'_>, boundary: &[u32], poi
     let corners =
         |ids: &[u32]| -> Vec<[f64; 3]> { ids.iter().flat_map(|&v| points[v as usize].corners()).collect() };
     let boxes: Vec<Vec<[f64; 3]>> = (0..facets.cells.len()).map(|c| corners(facets.cells.cell(c))).collect();
-    let tree = BoxTree::new(boxes.iter().map(|b| b.iter().collect()));
+    let tree = BoxTree::new(boxes.iter().map(|b| b.iter().collect::<Few<_>>()));
     let mut out = Vec::new();
     for facet in facets.boundary_roots(boundary) {
         let ids = facets.vertices(facet);

@@ -6,6 +6,7 @@ use super::super::CertifyError;
 use super::super::exact::{Vec3, normalised, to_integers};
 use super::super::observer::Observer;
 use super::super::pairs::BoxTree;
+use super::super::separate::Few;
 use super::facets::Facets;
 use super::points::Point;
 use super::witness::Witness;
@@ -27,7 +28,7 @@ pub(super) fn crossings<P: Point>(
         .collect();
     let corners: Vec<Vec<[f64; 3]>> =
         ends.iter().map(|e| e.iter().flat_map(|&v| points[v as usize].corners()).collect()).collect();
-    let tree = BoxTree::new(corners.iter().map(|c| c.iter().collect()));
+    let tree = BoxTree::new(corners.iter().map(|c| c.iter().collect::<Few<_>>()));
     let (mut pairs, mut out) = (0, Vec::new());
     for (i, edge) in ends.iter().enumerate() {
         if observer.cancelled() {
