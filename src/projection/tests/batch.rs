@@ -170,8 +170,9 @@ fn boxes_of_far_parts_are_told_apart() {
     let mut random = Random(36);
     let side = 2_f64.powi(-8);
     for far in [0.0, 2_f64.powi(20), 2_f64.powi(40)] {
-        let corner =
-            |i: usize| [0.0; 3].map(|_: f64| random.double(true) + if i % 2 == 0 { 0.0 } else { far });
+        let corner = |i: usize| {
+            [0.0; 3].map(|_: f64| random.double(true) + if i.is_multiple_of(2) { 0.0 } else { far })
+        };
         let low: Vec<[f64; 3]> = (0..2000).map(corner).collect();
         let high: Vec<[f64; 3]> = low.iter().map(|p| p.map(|x| x + side)).collect();
         let tree = BoxTree::new(low.iter().zip(&high).map(|(a, b)| [a, b]));
