@@ -227,7 +227,8 @@ fn about_mesh(
         lifted(Lifting { mesh: &mesh, complex: &complex }, subject.order, wanted, facts, observer)
     };
     let apart = || Seconds::measured(Claim::Disjoint, || disjoint_from_all(&mesh, shell, observer));
-    // A lift is sequential; beside it another thread has work that is about as long.
+    // Pieces are added one after another, and a lift that is narrow is looked ahead of by nobody: others have work that is about as
+    // long beside it.
     let (lifts, parts) = rayon::join(
         || wanted.contains(&Claim::Section).then(lift),
         || wanted.contains(&Claim::Disjoint).then(apart),

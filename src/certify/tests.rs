@@ -1,5 +1,7 @@
 //! Clipping by signs against clipping by exact coordinates; lifts looked ahead of by one core and by many.
 
+mod sequential;
+
 use dashu_ratio::RBig;
 
 use super::Silent;

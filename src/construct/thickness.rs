@@ -15,6 +15,9 @@ use crate::certify::{Observer, i2, positivity};
 use crate::mesh::{Connectivity, TriMesh};
 use crate::shell::{Layer, Name, Shell, Slab};
 
+#[cfg(test)]
+mod tests;
+
 /// What is left of a free ray: bottom and top keep a distance from what the ray hits.
 const CLEARANCE: f64 = 0.4;
 /// What is left of a thickness after one shrinking: more of it at first, and less when it happens again and again.

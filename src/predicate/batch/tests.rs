@@ -95,6 +95,47 @@ fn dots_are_exact_at_every_level() {
     }
 }
 
+/// After the last vertex there is no number to read: in every place of an input, in any input of a block.
+#[test]
+fn the_last_vertex_is_like_the_others() {
+    let mut random = Random(24);
+    let all = points(&mut random, 160);
+    for round in 0..200 {
+        let count = 1 + random.below(6);
+        let start = 40 * (round % 4) + random.below(30);
+        let vertices = &all[start..start + count];
+        let inputs = [LANES, 2 * LANES, 3 * LANES - 1][round % 3];
+        // In half of the rounds one place alone has the last vertex.
+        let lone = (random.below(inputs), random.below(4));
+        let id = |random: &mut Random, place: (usize, usize)| {
+            let below = if round % 2 == 0 { count } else { count.max(2) - 1 };
+            if round % 2 == 1 && place == lone {
+                count as u32 - 1
+            } else {
+                random.below(below) as u32 % count as u32
+            }
+        };
+        let quads: Vec<[u32; 4]> =
+            (0..inputs).map(|i| [0, 1, 2, 3].map(|k| id(&mut random, (i, k)))).collect();
+        let fives: Vec<[u32; 5]> =
+            (0..inputs).map(|i| [4, 3, 2, 1, 0].map(|k| id(&mut random, (i, k)))).collect();
+        let at = |v: u32| &vertices[v as usize];
+        let (mut tets, mut dots) = (StageCounts::default(), StageCounts::default());
+        let of_tet = |q: &[u32; 4]| tets.note(orient3d_staged(at(q[0]), at(q[1]), at(q[2]), at(q[3])));
+        let expected: Vec<Sign> = quads.iter().map(of_tet).collect();
+        let of_dot =
+            |q: &[u32; 5]| dots.note(dot_sign_staged(at(q[0]), at(q[1]), at(q[2]), at(q[3]), at(q[4])));
+        let expected_dots: Vec<Sign> = fives.iter().map(of_dot).collect();
+        for level in levels() {
+            let mut signs = vec![Sign::Zero; inputs];
+            assert_eq!(orient3d_indexed_at(level, vertices, &quads, &mut signs), Ok(tets));
+            assert_eq!(signs, expected, "{level:?}");
+            assert_eq!(dot_sign_indexed_at(level, vertices, &fives, &mut signs), Ok(dots));
+            assert_eq!(signs, expected_dots, "{level:?}");
+        }
+    }
+}
+
 #[test]
 fn what_does_not_fit_is_named() {
     let vertices = [[0.0; 3]; 3];

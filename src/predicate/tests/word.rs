@@ -63,3 +63,85 @@ fn signs_in_one_word_are_exact() {
     }
     assert!(seen.iter().all(|&n| n > 5_000), "{seen:?}");
 }
+
+/// `2^e`, subnormal numbers included.
+fn power(e: i32) -> f64 {
+    if e < -1022 {
+        f64::from_bits(1 << (e + 1074))
+    } else {
+        f64::from_bits(u64::from((e + 1023).unsigned_abs()) << 52)
+    }
+}
+
+/// Each axis at a scale of its own, from the smallest numbers to the largest; all that rows are made of; both zeros.
+#[test]
+fn signs_in_one_word_are_exact_at_any_scale_of_an_axis() {
+    let mut random = Random(78);
+    let (mut fitted, mut zeros) = (0, 0);
+    for round in 0..40_000 {
+        let bits = random.integer(1, 62);
+        let mut p = [[0.0; 3]; 6];
+        for axis in 0..3 {
+            let lowest = [-1074, 1023 - bits, random.integer(-1074, 1023 - bits)][random.below(3)];
+            let whole = |random: &mut Random| {
+                let value = (random.next() >> (64 - bits)) as f64;
+                if random.below(2) == 0 { value } else { -value }
+            };
+            // Small combinations of two vectors: often one plane, or one unit beside it.
+            let (u, v) = (whole(&mut random), whole(&mut random));
+            for q in &mut p {
+                let (i, j) = (f64::from(random.integer(-1, 1)), f64::from(random.integer(-1, 1)));
+                let value = if round % 2 == 0 { whole(&mut random) } else { i * u + j * v };
+                q[axis] = value * power(lowest);
+            }
+        }
+        if !p.iter().flatten().all(|x| x.is_finite()) {
+            continue;
+        }
+        let difference = |i: usize, j: usize| oracle::vector(&p[j], &p[i]);
+        let [a, b, c, d, e, f] = p.each_ref();
+        let tet = [(0, 1), (0, 2), (0, 3)];
+        let dot = [(0, 1), (0, 2), (3, 4)];
+        let vectors = [(0, 1), (2, 3), (4, 5)];
+        for (rows, found) in [
+            (tet, sign3([a, b, c, d], tet)),
+            (dot, sign3([a, b, c, d, e], dot)),
+            (vectors, sign3([a, b, c, d, e, f], vectors)),
+        ] {
+            let [x, y, z] = rows.map(|(i, j)| difference(i, j));
+            let exact = oracle::sign(&oracle::det(&x, &y, &z));
+            assert!(found.is_none_or(|sign| sign == exact), "{found:?} {exact:?} {rows:?} {p:?}");
+            fitted += usize::from(found.is_some());
+            zeros += usize::from(found.is_some() && exact.is_zero());
+        }
+    }
+    assert!(fitted > 30_000 && zeros > 500, "{fitted} {zeros}");
+}
+
+/// Any bit patterns: no answer is wrong, and what is no number has none.
+#[test]
+fn any_bits_have_the_right_sign_or_none() {
+    let mut random = Random(79);
+    let mut fitted = 0;
+    for round in 0..200_000 {
+        let near = random.next();
+        let number = |random: &mut Random| match random.below(8) {
+            0 => [0.0, -0.0, f64::MAX, f64::MIN, TINY, -TINY, f64::MIN_POSITIVE, 1.0][random.below(8)],
+            1 if round % 16 == 0 => f64::from_bits(random.next()),
+            // The exponent of one number, and few bits: mostly these fit.
+            _ => f64::from_bits(
+                (near & 0xfff0_0000_0000_0000) | (random.next() << 44 >> 12) | random.next() << 63,
+            ),
+        };
+        let p: [P; 4] = [(); 4].map(|()| [(); 3].map(|()| number(&mut random)));
+        let found = sign3(p.each_ref(), [(0, 1), (0, 2), (0, 3)]);
+        if p.iter().flatten().all(|x| x.is_finite()) {
+            let exact = oracle::orient3d(&p[0], &p[1], &p[2], &p[3]);
+            assert!(found.is_none_or(|sign| sign == exact), "{p:?}");
+            fitted += usize::from(found.is_some());
+        } else {
+            assert_eq!(found, None, "{p:?}");
+        }
+    }
+    assert!(fitted > 20_000, "{fitted}");
+}

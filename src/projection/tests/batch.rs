@@ -107,6 +107,19 @@ fn far_ends_of_the_range() {
     }
 }
 
+/// Parts so far apart that floats of 32 bits do not tell the boxes of one from each other.
+#[test]
+fn parts_far_from_each_other() {
+    let (mut shell, other) = (spiral(20), spiral(9));
+    let first = shell.vertex_count() as u32;
+    let far = |p: &[f64; 3]| [p[0] + 2_f64.powi(45), p[1] - 2_f64.powi(30), p[2] + 2_f64.powi(28)];
+    shell.bottom.extend(other.bottom.iter().map(far));
+    shell.middle.extend(other.middle.iter().map(far));
+    shell.top.extend(other.top.iter().map(far));
+    shell.faces.extend(other.faces.iter().map(|f| f.map(|v| v + first)));
+    assert!(check(&shell, &VertexOrder::Id, &mut Random(35), 800) > 400);
+}
+
 /// The tree's answers are those of asking every box, where its floats hold the coordinates; else none is lost.
 #[test]
 fn the_tree_loses_no_box() {
@@ -149,4 +162,31 @@ fn the_tree_loses_no_box() {
         }
     }
     assert!(found > 10_000 && close < found / 100, "{found} {close}");
+}
+
+/// Two crowds of small boxes, far apart along all axes: a search visits those that hold the point, not a whole crowd.
+#[test]
+fn boxes_of_far_parts_are_told_apart() {
+    let mut random = Random(36);
+    let side = 2_f64.powi(-8);
+    for far in [0.0, 2_f64.powi(20), 2_f64.powi(40)] {
+        let corner = |i: usize| {
+            [0.0; 3].map(|_: f64| random.double(true) + if i.is_multiple_of(2) { 0.0 } else { far })
+        };
+        let low: Vec<[f64; 3]> = (0..2000).map(corner).collect();
+        let high: Vec<[f64; 3]> = low.iter().map(|p| p.map(|x| x + side)).collect();
+        let tree = BoxTree::new(low.iter().zip(&high).map(|(a, b)| [a, b]));
+        let (mut visited, mut holding) = (0, 0);
+        for p in &low {
+            tree.holding(p, |id| {
+                visited += 1;
+                let (low, high) = (low[id as usize], high[id as usize]);
+                holding += usize::from((0..3).all(|i| low[i] <= p[i] && p[i] <= high[i]));
+            });
+        }
+        assert!(
+            holding >= low.len() && visited <= holding + holding / 10,
+            "{visited} visited, {holding} hold"
+        );
+    }
 }

@@ -4,7 +4,7 @@ use super::generate::{in_tet, shell, spiral};
 use crate::projection::exact::{Homogeneous, TetWeights, rational_point};
 use crate::projection::integers::{Integers, coordinates};
 use crate::projection::{ExactImage, Projection, Rat, ShellPoint};
-use crate::shell::VertexOrder;
+use crate::shell::{Shell, VertexOrder};
 use crate::testing::Random;
 use dashu_base::{Signed, UnsignedAbs};
 
@@ -88,6 +88,39 @@ fn a_shell_that_overlaps_itself_gives_every_image() {
     }
     // Half of the strip's 20 quads lie on two others, the rest on one.
     assert!(counts[1] == 0 && counts[2] > 100 && counts[3] > 100, "{counts:?}");
+}
+
+/// Powers of two on each axis change no image, as long as no bit is lost.
+#[test]
+fn images_at_the_far_ends_of_the_range() {
+    let mut random = Random(24);
+    for exponents in [[-1071; 3], [1020; 3], [-1071, 0, 1020], [1020, -1071, -300], [-40, 30, 500]] {
+        let scale = |p: &[f64; 3]| {
+            // In two steps: 2^-1071 is no normal number.
+            let [x, y, z] = exponents.map(|e: i32| [2_f64.powi(e / 2), 2_f64.powi(e - e / 2)]);
+            [p[0] * x[0] * x[1], p[1] * y[0] * y[1], p[2] * z[0] * z[1]]
+        };
+        let plain = spiral(12);
+        let layer = |points: &[[f64; 3]]| points.iter().map(scale).collect();
+        let (bottom, middle, top) = (layer(&plain.bottom), layer(&plain.middle), layer(&plain.top));
+        let scaled = Shell { bottom, middle, top, faces: plain.faces.clone() };
+        let projection = Projection::new(&scaled, &VertexOrder::Id).unwrap();
+        let before = Projection::new(&plain, &VertexOrder::Id).unwrap();
+        let (mut inside, mut outside) = (0, 0);
+        for i in 0..200 {
+            // Multiples of 1/8, the unit of -1071 and of what overflows at 1020 least.
+            let mut p = [0.0; 3].map(|_: f64| f64::from(random.integer(-31, 31)) / 8.0);
+            p[2] /= 4.0;
+            p[2] = (p[2] * 8.0).round() / 8.0;
+            if i % 5 == 0 {
+                p = plain.top[random.below(plain.vertex_count())];
+            }
+            let count = check(&projection, &scale(&p));
+            assert_eq!(points(&projection.images(&scale(&p))), points(&before.images(&p)));
+            *if count > 0 { &mut inside } else { &mut outside } += 1;
+        }
+        assert!(inside > 60 && outside > 30, "{inside} {outside}");
+    }
 }
 
 #[test]
