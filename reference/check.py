@@ -303,7 +303,7 @@ def separates(case, planes, A, B):  # section 3.5, for planes (n, h) and simplic
         if not (max(a, default=0) <= 0 <= min(b, default=0) or max(b, default=0) <= 0 <= min(a, default=0)):
             return False
         A, B = [t for t, value in zip(A, a) if not value], [t for t, value in zip(B, b) if not value]
-    return any(set(s) == common or len(s) == 1 and case.X[s[0]] in pinched for s in (A, B))
+    return any(set(s) == common or any({case.X[t] for t in s} == {p} for p in pinched) for s in (A, B))
 def listed_planes(case, normal, planes):  # as (n, h); a name that does not exist separates nothing
     for kind, points in planes:
         need(all(p < 0 or p in case.N[p // 3] for p in points), "not-separated", "no such name")

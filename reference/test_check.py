@@ -303,6 +303,21 @@ class Checks(unittest.TestCase):
         on_top = ([(x, y, 1) for x, y, _ in M3], [(0, 1, 2)])
         self.rejected("valid", PRISM, on_top, ["-disjoint-top"], [("disjoint-top", "cross 0 0 1 0 0 1 0 0")])
 
+    def test_other_names_at_a_pinched_vertex(self):
+        """A point with the coordinates of a pinched vertex is allowed, whatever name it is given."""
+        bottom = [(0, 0, 0), (0, 0, 0), (0, 4, -1)]
+        shell = ([bottom, M3, [(0, 0, 0), (4, 0, 1), (0, 4, 1)]], [(0, 1, 2)])
+        corner = ([(0, 0, 0), (4, 0, 4), (0, 4, 4)], [(0, 1, 2)])
+        through = ([(8, -4, 0), (-4, 8, 0), (-4, -4, 0)], [(0, 1, 2)])
+        facts = lambda text: [("disjoint-bottom", text)]
+        self.rejected("valid", shell, corner, ["disjoint-bottom"], facts(""))
+        for weights in ["0 1 0", "1 0 0"]:
+            self.rejected("invalid not-refuted", shell, corner, ["-disjoint-bottom"], facts("cross 0 0 1 0 0 " + weights))
+        self.rejected("valid", shell, through, ["disjoint-bottom"], facts(""))
+        self.rejected("invalid not-refuted", shell, through, ["-disjoint-bottom"], facts("cross 0 0 1 1 1 1 0 0"))
+        bottom[1] = (0, 1, 0)
+        self.rejected("invalid missing-separation", shell, through, ["disjoint-bottom"], facts(""))
+
     # ---- witnesses
     def refute(self, code, mesh, facts, shell=PRISM):
         self.rejected(code, shell, mesh, ["-section", "-bijection"], [("no-section", facts)])

@@ -45,11 +45,11 @@ impl Pair<'_> {
     fn harmless(&self, rest: &[usize]) -> bool {
         let common = |x: &usize| self.a.contains(x) && self.b.contains(x);
         let World { keys, pinched, .. } = self.world;
-        let at_pinch = |v: usize| pinched[v] && keys[rest[0]] == keys[3 * v + 1];
+        let at_pinch = |v: usize| pinched[v] && rest.iter().all(|&x| keys[x] == keys[3 * v + 1]);
         if self.itself {
             return rest.iter().all(common) && rest.len() == self.a.iter().filter(|x| common(x)).count();
         }
-        rest.is_empty() || rest.len() == 1 && self.b.iter().any(|n| at_pinch(n / 3))
+        rest.is_empty() || self.b.iter().any(|n| at_pinch(n / 3))
     }
 
     /// Whether each plane has what remains of `a` on one closed side and of `b` on the other, and the remainder is harmless.

@@ -57,9 +57,21 @@ fn another_name_at_a_pinched_vertex() {
     case.points = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 4.0], [0.0, 4.0, 4.0]];
     let bottom =
         |verdict, facts| case.clone().only(&[("disjoint-bottom", verdict)], &[("disjoint-bottom", facts)]);
-    bottom(true, "sep 0 0 p:m0,m1,m2").accept();
+    bottom(true, "").accept();
     bottom(false, "cross 0 0 1 0 0 0 1 0").reject("not-refuted");
     bottom(false, "cross 0 0 1 0 0 1 0 0").reject("not-refuted");
+    // The mesh has no vertex there; two corners of the bottom remain, both at the pinched vertex.
+    case.points = vec![[8.0, -4.0, 0.0], [-4.0, 8.0, 0.0], [-4.0, -4.0, 0.0]];
+    let bottom = |c: &Case, verdict, facts| {
+        c.clone().only(&[("disjoint-bottom", verdict)], &[("disjoint-bottom", facts)])
+    };
+    bottom(&case, true, "").accept();
+    bottom(&case, false, "cross 0 0 1 1 1 1 0 0").reject("not-refuted");
+    // Two remain, one of them elsewhere.
+    case.layers[0][1] = [0.0, 1.0, 0.0];
+    bottom(&case, true, "").reject("missing-separation");
+    bottom(&case, true, "sep 0 0 p:g0,g1,g2").reject("not-separated");
+    bottom(&case, false, "cross 0 0 8 9 7 1 1 0").accept();
 }
 
 #[test]

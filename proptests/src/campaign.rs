@@ -95,7 +95,7 @@ pub fn certified(case: &Case, positive: bool) -> Result<Option<Outcome>, String>
     match certify(&case.shell, Some(&case.mesh), &options, &Silent) {
         Ok(outcome) => Ok(Some(outcome)),
         Err(CertifyError::Shell(_) | CertifyError::Mesh(_)) => Ok(None),
-        Err(CertifyError::Branched { .. }) if !positive => Ok(None),
+        Err(CertifyError::Branched { .. } | CertifyError::FlatAtPinch { .. }) if !positive => Ok(None),
         // Shells that overlap themselves: no verdict, by name.
         Err(CertifyError::SeveralLifts { .. }) => Ok(None),
         Err(e) => Err(format!("no verdict: {e}")),

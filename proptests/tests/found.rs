@@ -98,3 +98,46 @@ fn another_lift_in_another_order() {
     let answer = certify(&case.shell, Some(&case.mesh), &Options::default(), &Silent);
     assert!(matches!(answer, Err(CertifyError::SeveralLifts { .. })), "{answer:?}");
 }
+
+/// One prism with corner 0 pinched at the origin; the other corners of its bottom and the mesh are given.
+fn pinched_prism(bottom: [[f64; 3]; 2], mesh: [[f64; 3]; 3]) -> Case {
+    let o = [0.0; 3];
+    let shell = Shell {
+        bottom: vec![o, bottom[0], bottom[1]],
+        middle: vec![o, [4., 0., 0.], [0., 4., 0.]],
+        top: vec![o, [4., 0., 1.], [0., 4., 1.]],
+        faces: vec![[0, 1, 2]],
+    };
+    let mesh = TriMesh { vertices: mesh.to_vec(), faces: vec![[0, 1, 2]] };
+    Case { shell, mesh, order: vec![0, 1, 2] }
+}
+
+/// What C6 says of the bottom; both it and the definitions agree, and the checker accepts.
+fn off_the_bottom(case: &Case) -> bool {
+    compare(case).unwrap();
+    let outcome = certified(case, false).unwrap().unwrap();
+    let answer = homeo_certs::check(outcome.certificate.as_bytes(), &inputs(case));
+    assert_eq!((answer.exit, answer.code), (0, ""), "{}\n{}", answer.message, outcome.certificate);
+    outcome.certificate.contains("claim disjoint-bottom certified")
+}
+
+/// Flat bottoms at a pinched vertex: allowed is what is at its place, whatever corner is there, too. A review found that one
+/// claim could be certified and refuted there.
+#[test]
+fn flat_bottoms_at_a_pinched_vertex() {
+    let (o, back) = ([0.0; 3], [0., 4., -1.]);
+    let through = [[8., -4., 0.], [-4., 8., 0.], [-4., -4., 0.]];
+    // A second corner at the pinched vertex, which is a vertex of the mesh or within a triangle of it.
+    assert!(off_the_bottom(&pinched_prism([o, back], [o, [4., 0., 4.], [0., 4., 4.]])));
+    assert!(off_the_bottom(&pinched_prism([o, back], through)));
+    assert!(!off_the_bottom(&pinched_prism([o, [0., 1., 0.]], through)));
+    // The pinched vertex is the middle of an edge, and of what the mesh has of it: another point must be named.
+    let edge = [[0., -4., 0.], [0., 4., 0.]];
+    assert!(!off_the_bottom(&pinched_prism(edge, [[8., 0., 0.], [-8., 8., 0.], [-8., -8., 0.]])));
+    // The mesh goes through that edge there, and only there: no planes say so, and no point says otherwise.
+    let case = pinched_prism(edge, [[8., 0., -4.], [-8., 0., -4.], [0., 0., 8.]]);
+    assert!(World::new(&case.shell, &case.mesh).cap_disjoint(0));
+    let options = Options { claims: vec![Claim::Disjoint], ..Options::default() };
+    let answer = certify(&case.shell, Some(&case.mesh), &options, &Silent);
+    assert!(matches!(answer, Err(CertifyError::FlatAtPinch { triangle: 0, prism: 0 })), "{answer:?}");
+}

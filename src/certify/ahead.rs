@@ -39,7 +39,8 @@ pub(super) enum Across {
 /// What lies across the sides of some pieces, in their order.
 #[derive(Debug, Default)]
 pub(super) struct Ahead {
-    pub(super) sides: Vec<Across>,
+    /// Piece, side, what lies there; the sides of a piece together, from the first one on.
+    pub(super) sides: Vec<(u32, u8, Across)>,
     pub(super) found: Vec<Found>,
 }
 
@@ -81,7 +82,7 @@ impl Ahead {
                 Ok(Some(face)) => self.pieces(cx, lift, face, piece.tet, &side),
                 Err(reason) => Across::Wrong(reason),
             };
-            self.sides.push(across);
+            self.sides.push((id, k as u8, across));
         }
     }
 

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::CertifyError;
 use super::complex::{Boundary, MeshView};
-use super::exact::common_point;
+use super::exact::{Vec3, common_point_off};
 use super::observer::Observer;
 use super::pairs::BoxTree;
 use super::separate::{Few, Named, Pair, PlaneName, PointName};
@@ -155,13 +155,12 @@ impl<'a> Job<'a> {
         let exact_common = self.about == About::Mesh;
         let points: Few<Named<'_>> = a.into_iter().chain(b).collect();
         let common = (0..6).map(|k| match points[k].name {
-            // Mesh vertices are common by id; a pinched vertex, wherever a mesh vertex has its coordinates.
+            // Mesh vertices are common by id; a pinched vertex, wherever a point has its coordinates.
             PointName::Mesh(_) if exact_common => {
                 let other = if k < 3 { &points[3..] } else { &points[..3] };
                 other.iter().any(|o| o.name == points[k].name)
             }
-            PointName::Mesh(_) => b.iter().any(|p| self.is_pinch(p) && same_point(p.at, points[k].at)),
-            PointName::Shell(_) => self.is_pinch(&points[k]),
+            _ => b.iter().any(|p| self.is_pinch(p) && same_point(p.at, points[k].at)),
         });
         let common = common.collect();
         let pair = Pair { common, points, split: 3, exact_common };
@@ -170,7 +169,12 @@ impl<'a> Job<'a> {
         }
         match pair.separation() {
             Some(planes) => Ok(Found::Planes(planes)),
-            None => Ok(Found::Crossing(Box::new(crossing(i, j, a, b)?))),
+            None => {
+                let allowed: Few<usize> = (3..6).filter(|&k| self.is_pinch(&pair.points[k])).collect();
+                let found = crossing(i, j, [a, b], &allowed)?;
+                let found = found.ok_or(CertifyError::FlatAtPinch { triangle: i, prism: j })?;
+                Ok(Found::Crossing(Box::new(found)))
+            }
         }
     }
 
@@ -179,15 +183,17 @@ impl<'a> Job<'a> {
     }
 }
 
-/// A point of both triangles; the first one has area.
+/// A point of both triangles that is at none of the allowed corners, numbered from 3 for those of the second; the first has
+/// area. `None` if they have no other one.
 pub(crate) fn crossing(
     i: u32,
     j: u32,
-    a: [Named<'_>; 3],
-    b: [Named<'_>; 3],
-) -> Result<Crossing, CertifyError> {
-    let coordinates: Vec<[f64; 3]> = a.iter().chain(&b).map(|n| *n.at).collect();
+    triangles: [[Named<'_>; 3]; 2],
+    allowed: &[usize],
+) -> Result<Option<Crossing>, CertifyError> {
+    let coordinates: Few<[f64; 3]> = triangles.as_flattened().iter().map(|n| *n.at).collect();
     let (x, _) = scale_points(&coordinates);
-    let [in_first, in_second] = common_point([&x[0], &x[1], &x[2]], [&x[3], &x[4], &x[5]])?;
-    Ok(Crossing { first: i, second: j, in_first, in_second })
+    let allowed: Few<&Vec3> = allowed.iter().map(|&k| &x[k]).collect();
+    let found = common_point_off([&x[0], &x[1], &x[2]], [&x[3], &x[4], &x[5]], &allowed)?;
+    Ok(found.map(|[in_first, in_second]| Crossing { first: i, second: j, in_first, in_second }))
 }

@@ -41,6 +41,18 @@ pub enum CertifyError {
         /// The vertices that come first in that order.
         first: Vec<u32>,
     },
+    /// A bottom or top triangle without area has a pinched vertex within an edge, and a mesh triangle goes through it just there:
+    /// no other point is common, as `disjoint` wants, but no planes show it. Only possible where `positivity` is refuted.
+    #[error(
+        "disjoint: triangle {triangle} goes through a flat triangle of prism {prism} at its pinched vertex, which can be neither \
+         proved to be all nor refuted; repair the shell (C1 fails)"
+    )]
+    FlatAtPinch {
+        /// The mesh triangle.
+        triangle: u32,
+        /// The prism.
+        prism: u32,
+    },
     /// The caller asked to stop.
     #[error("interrupted before a verdict")]
     Cancelled,

@@ -260,11 +260,30 @@ fn in_triangle(point: &[IBig; 4], corners: [&Vec3; 3]) -> Option<[RBig; 3]> {
 /// their common part. It lies in the relative interior of that part, hence not in the face that common vertices span
 /// unless that is all.
 pub(crate) fn common_point(first: [&Vec3; 3], second: [&Vec3; 3]) -> Result<[[IBig; 3]; 2], CertifyError> {
-    let broken = CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
-    let Some(centre) = centre(&cut_with_triangle(second, first)) else { return Err(broken) };
-    let in_second = to_integers(&centre);
-    let Some(in_first) = in_triangle(&weighted(second, &in_second), first) else { return Err(broken) };
-    Ok([to_integers(&in_first), in_second])
+    let broken = || CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
+    common_point_off(first, second, &[])?.ok_or_else(broken)
+}
+
+/// [`common_point`] at none of these places; `None` if there is no other. The mean is at a corner of the second triangle only
+/// if that is all, or if the triangle is flat: then another corner of the common part will do.
+pub(crate) fn common_point_off(
+    first: [&Vec3; 3],
+    second: [&Vec3; 3],
+    places: &[&Vec3],
+) -> Result<Option<[[IBig; 3]; 2]>, CertifyError> {
+    let broken = || CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
+    let common = cut_with_triangle(second, first);
+    let centre = centre(&common).ok_or_else(broken)?;
+    let is_off = |weights: &Weights| {
+        let x = weighted(second, weights);
+        !places.iter().any(|p| (0..3).all(|i| x[i] == &p[i] * &x[3]))
+    };
+    let corners = common.iter().filter_map(normalised).map(|corner| to_integers(&corner));
+    let Some(in_second) = std::iter::once(to_integers(&centre)).chain(corners).find(is_off) else {
+        return Ok(None);
+    };
+    let in_first = in_triangle(&weighted(second, &in_second), first).ok_or_else(broken)?;
+    Ok(Some([to_integers(&in_first), in_second]))
 }
 
 /// The sign of an integer.

@@ -251,7 +251,7 @@ impl Lifting<'_> {
             if waiting < WIDE || rayon::current_num_threads() == 1 {
                 alone.clear();
                 alone.look(self, lift, next as u32);
-                self.accept(lift, &[next as u32], &alone, &mut ticker)?;
+                self.accept(lift, &alone, &mut ticker)?;
                 next += 1;
                 continue;
             }
@@ -262,39 +262,27 @@ impl Lifting<'_> {
                 ahead
             };
             let parts: Vec<Ahead> = ids.par_chunks(SHARE).map(look).collect();
-            for (ids, ahead) in ids.chunks(SHARE).zip(&parts) {
-                self.accept(lift, ids, ahead, &mut ticker)?;
-            }
+            parts.iter().try_for_each(|ahead| self.accept(lift, ahead, &mut ticker))?;
             next += ids.len();
         }
         Ok(())
     }
 
     /// Adds what lies across the sides of some pieces.
-    fn accept(
-        &self,
-        lift: &mut Lift,
-        ids: &[u32],
-        ahead: &Ahead,
-        ticker: &mut Ticker<'_>,
-    ) -> Result<(), Stop> {
-        let (mut sides, mut found) = (ahead.sides.iter(), ahead.found.as_slice());
-        for &id in ids {
-            if ticker.tick() {
+    fn accept(&self, lift: &mut Lift, ahead: &Ahead, ticker: &mut Ticker<'_>) -> Result<(), Stop> {
+        let mut found = ahead.found.as_slice();
+        for &(piece, side, across) in &ahead.sides {
+            if side == 0 && ticker.tick() {
                 return Err(Stop::Cancelled);
             }
-            for side in 0..lift.pieces[id as usize].len {
-                match sides.next() {
-                    Some(Across::Wrong(reason)) => {
-                        return Err(Stop::Violation(Violation { piece: id, reason: *reason }));
-                    }
-                    Some(Across::Pieces { count, then_known }) => {
-                        let (here, rest) = found.split_at(usize::from(*count));
-                        found = rest;
-                        self.enter(lift, (id, side), here, *then_known)?;
-                    }
-                    Some(Across::Boundary) | None => {}
+            match across {
+                Across::Wrong(reason) => return Err(Stop::Violation(Violation { piece, reason })),
+                Across::Pieces { count, then_known } => {
+                    let (here, rest) = found.split_at(usize::from(count));
+                    found = rest;
+                    self.enter(lift, (piece, side), here, then_known)?;
                 }
+                Across::Boundary => {}
             }
         }
         Ok(())

@@ -179,7 +179,8 @@ impl<'a> Job<'a> {
         if let Some(planes) = pair.separation() {
             return Ok(Some(Found::Planes(planes)));
         }
-        let crossing = crossing(i, j, a, b)?;
+        let broken = || CertifyError::Internal { what: "triangles that neither meet nor can be separated" };
+        let crossing = crossing(i, j, [a, b], &[])?.ok_or_else(broken)?;
         let (owner, weights) =
             ([i, j].map(|i| self.skin[i as usize]), [crossing.in_first, crossing.in_second]);
         let [first, second] = [0, 1].map(|k| self.in_tet(owner[k], &weights[k]));

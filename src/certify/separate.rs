@@ -68,6 +68,8 @@ pub(crate) trait ExactPoint: Sync {
     fn projection_axis(a: &Self, b: &Self, c: &Self) -> Option<Axis>;
     /// The points times one positive number that makes all coordinates integers.
     fn integers(points: &[&Self]) -> Vec<Vec3>;
+    /// Equal coordinates?
+    fn is_at(&self, other: &Self) -> bool;
 }
 
 impl ExactPoint for [f64; 3] {
@@ -87,6 +89,10 @@ impl ExactPoint for [f64; 3] {
         let points: Vec<Self> = points.iter().map(|p| **p).collect();
         scale_points(&points).0
     }
+
+    fn is_at(&self, other: &Self) -> bool {
+        predicate::same_point(self, other)
+    }
 }
 
 /// A point of one of the two sets.
@@ -104,7 +110,7 @@ pub(crate) struct Pair<'a, P = [f64; 3]> {
     pub(crate) split: usize,
     /// Per point: does it count as common?
     pub(crate) common: Few<bool>,
-    /// Whether a remainder must be exactly the common part (C6 of one mesh) or at most one common point.
+    /// Whether a remainder must be exactly the common part (C6 of one mesh) or all at one common place at most.
     pub(crate) exact_common: bool,
 }
 
@@ -122,7 +128,8 @@ impl<P: ExactPoint> Pair<'_, P> {
                 return all.all(|i| self.common[i] == remainder.contains(&i));
             }
             let mut left = remainder.iter().filter(|&&i| (i < self.split) == in_a);
-            left.next().is_none_or(|&i| self.common[i] && left.next().is_none())
+            let at = |i: usize| self.points[i].at;
+            left.next().is_none_or(|&i| self.common[i] && left.all(|&j| at(j).is_at(at(i))))
         };
         harmless(true) || harmless(false)
     }

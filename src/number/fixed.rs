@@ -134,6 +134,38 @@ impl<const N: usize> Magnitude<N> {
     }
 }
 
+/// The cross product of vectors of machine words, for entries of at most `2^61` in absolute value: products are at most `2^122`,
+/// their differences `2^123`.
+#[inline(always)]
+pub fn cross(q: &[i64; 3], r: &[i64; 3]) -> [i128; 3] {
+    let product = |i: usize, j: usize| i128::from(q[i]) * i128::from(r[j]);
+    [product(1, 2) - product(2, 1), product(2, 0) - product(0, 2), product(0, 1) - product(1, 0)]
+}
+
+/// The dot product of machine words with a [`cross`] product, all words at most `2^61` in absolute value.
+///
+/// With an entry `2^64 h + l`, `0 <= l < 2^64`, `|h| <= 2^59`: three products with `l` are below `2^127` together, three with `h`
+/// at most `2^122`, and the whole at most `3 * 2^184`.
+#[inline(always)]
+pub fn dot(p: &[i64; 3], minors: &[i128; 3]) -> Fixed<3> {
+    let (mut low, mut high) = (0_i128, 0_i128);
+    for (x, m) in p.iter().zip(minors) {
+        let x = i128::from(*x);
+        low += x * i128::from(m.cast_unsigned() as u64);
+        high += x * (m >> 64);
+    }
+    let Fixed([second, third]) = (high + (low >> 64)).into();
+    Fixed([low.cast_unsigned() as u64, second, third])
+}
+
+impl From<i128> for Fixed<2> {
+    #[inline]
+    fn from(x: i128) -> Self {
+        let x = x.cast_unsigned();
+        Self([x as u64, (x >> 64) as u64])
+    }
+}
+
 /// `-limbs` modulo `2^(64N)` if `negate`, else `limbs`.
 #[inline]
 fn negate_if<const N: usize>(limbs: [u64; N], negate: bool) -> [u64; N] {

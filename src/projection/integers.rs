@@ -7,7 +7,7 @@
 use dashu_int::{IBig, UBig};
 
 use crate::number::dyadic::decompose;
-use crate::number::fixed::{Fixed, Magnitude};
+use crate::number::fixed::{self, Fixed, Magnitude};
 
 /// Numbers of one kind: the smallest that holds them all.
 #[derive(Clone, Debug)]
@@ -31,13 +31,14 @@ pub(super) fn coordinates(tet: [&[f64; 3]; 4], p: &[f64; 3]) -> Integers<4> {
     let Some(rows) = differences(tet, p) else {
         return Integers::Big(Box::new(determinants(&big_differences(tet, p), cross_big, dot_big, |x| -x)));
     };
-    // All bits that differ from the sign; below 2^61 in each for a difference of at most 2^61.
+    // All bits that differ from the sign; below 2^61 in each for a difference of at most 2^61. Four dot products then stay
+    // below 2^188.
     let bits = rows.as_flattened().iter().fold(0, |all, d| all | (d ^ (d >> 127)));
     if bits >> 61 == 0 {
         let rows = rows.map(|row| row.map(|d| d as i64));
-        return Integers::Narrow(determinants(&rows, cross_narrow, dot_narrow, negated));
+        return Integers::Narrow(determinants(&rows, fixed::cross, fixed::dot, negated));
     }
-    let rows = rows.map(|row| row.map(|d| limbs(d).magnitude()));
+    let rows = rows.map(|row| row.map(|d| Fixed::from(d).magnitude()));
     Integers::Wide(determinants(&rows, cross_wide, dot_wide, negated))
 }
 
@@ -90,30 +91,6 @@ fn big_differences(tet: [&[f64; 3]; 4], p: &[f64; 3]) -> Rows<IBig> {
         [a, b, c, d].map(|x| x - &p)
     });
     [0, 1, 2, 3].map(|k| columns.each_ref().map(|column| column[k].clone()))
-}
-
-/// Differences are at most `2^61` in absolute value, products `2^122`, their differences `2^123`.
-fn cross_narrow(q: &[i64; 3], r: &[i64; 3]) -> [i128; 3] {
-    let product = |i: usize, j: usize| i128::from(q[i]) * i128::from(r[j]);
-    [product(1, 2) - product(2, 1), product(2, 0) - product(0, 2), product(0, 1) - product(1, 0)]
-}
-
-/// With a minor `2^64 h + l`, `0 <= l < 2^64`, `|h| <= 2^59`: three products with `l` are below `2^127` together, three
-/// with `h` at most `2^122`, and the whole at most `3 * 2^184`; four of these stay below `2^188`.
-fn dot_narrow(p: &[i64; 3], minor: &[i128; 3]) -> Fixed<3> {
-    let (mut low, mut high) = (0_i128, 0_i128);
-    for (x, m) in p.iter().zip(minor) {
-        let x = i128::from(*x);
-        low += x * i128::from(m.cast_unsigned() as u64);
-        high += x * (m >> 64);
-    }
-    let Fixed([second, third]) = limbs(high + (low >> 64));
-    Fixed([low.cast_unsigned() as u64, second, third])
-}
-
-fn limbs(x: i128) -> Fixed<2> {
-    let x = x.cast_unsigned();
-    Fixed([x as u64, (x >> 64) as u64])
 }
 
 /// Differences are below `2^126`, products `2^252`, their differences `2^253`.

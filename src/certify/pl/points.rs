@@ -41,6 +41,10 @@ impl Homogeneous {
 }
 
 impl ExactPoint for Homogeneous {
+    fn is_at(&self, other: &Self) -> bool {
+        self.to(other).iter().all(|x| sign(x).is_zero())
+    }
+
     fn orient3d(a: &Self, b: &Self, c: &Self, d: &Self) -> Sign {
         let [p, q, r] = [b, c, d].map(|x| a.to(x));
         let term = |i: usize, j: usize, k: usize| &p[i] * (&q[j] * &r[k] - &q[k] * &r[j]);

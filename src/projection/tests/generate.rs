@@ -35,6 +35,19 @@ impl Random {
     }
 }
 
+/// The point times powers of two, one for each axis. In two steps: 2^-1071 is no normal number.
+pub(super) fn times(p: &[f64; 3], exponents: [i32; 3]) -> [f64; 3] {
+    let by = |x: f64, e: i32| x * 2_f64.powi(e / 2) * 2_f64.powi(e - e / 2);
+    [by(p[0], exponents[0]), by(p[1], exponents[1]), by(p[2], exponents[2])]
+}
+
+/// All points of the shell [`times`] powers of two.
+pub(super) fn scaled(shell: &Shell, exponents: [i32; 3]) -> Shell {
+    let layer = |points: &[[f64; 3]]| points.iter().map(|p| times(p, exponents)).collect();
+    let (bottom, middle, top) = (layer(&shell.bottom), layer(&shell.middle), layer(&shell.top));
+    Shell { bottom, middle, top, faces: shell.faces.clone() }
+}
+
 pub(super) fn ratio(n: i64, d: u64) -> Rat {
     Rat::from_parts(IBig::from(n), UBig::from(d))
 }

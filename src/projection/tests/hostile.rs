@@ -1,6 +1,6 @@
 //! Input that must be refused by name, and extreme numbers.
 
-use super::generate::{in_tet, ratio, spiral};
+use super::generate::{in_tet, ratio, scaled, spiral};
 use super::properties::check_point;
 use crate::projection::{PointError, Projection, ProjectionError, Rat, ShellPoint};
 use crate::shell::VertexOrder;
@@ -75,14 +75,7 @@ fn bad_points() {
 fn extreme_scales() {
     let mut random = Random(6);
     for exponent in [-1071, -600, 600, 1020] {
-        let mut shell = spiral(9);
-        for layer in [&mut shell.bottom, &mut shell.middle, &mut shell.top] {
-            // In two steps: 2^-1071 is no normal number.
-            layer
-                .iter_mut()
-                .flatten()
-                .for_each(|x| *x = *x * 2_f64.powi(exponent / 2) * 2_f64.powi(exponent - exponent / 2));
-        }
+        let shell = scaled(&spiral(9), [exponent; 3]);
         let projection = Projection::new(&shell, &VertexOrder::Id).unwrap();
         for i in 0..200 {
             let p = in_tet(&projection, i % projection.tets().len(), &random.weights());

@@ -1,10 +1,10 @@
 //! Images not in lowest terms against those of rational arithmetic, and the integers behind them.
 
-use super::generate::{in_tet, shell, spiral};
+use super::generate::{in_tet, scaled, shell, spiral, times};
 use crate::projection::exact::{Homogeneous, TetWeights, rational_point};
 use crate::projection::integers::{Integers, coordinates};
 use crate::projection::{ExactImage, Projection, Rat, ShellPoint};
-use crate::shell::{Shell, VertexOrder};
+use crate::shell::VertexOrder;
 use crate::testing::Random;
 use dashu_base::{Signed, UnsignedAbs};
 
@@ -95,16 +95,10 @@ fn a_shell_that_overlaps_itself_gives_every_image() {
 fn images_at_the_far_ends_of_the_range() {
     let mut random = Random(24);
     for exponents in [[-1071; 3], [1020; 3], [-1071, 0, 1020], [1020, -1071, -300], [-40, 30, 500]] {
-        let scale = |p: &[f64; 3]| {
-            // In two steps: 2^-1071 is no normal number.
-            let [x, y, z] = exponents.map(|e: i32| [2_f64.powi(e / 2), 2_f64.powi(e - e / 2)]);
-            [p[0] * x[0] * x[1], p[1] * y[0] * y[1], p[2] * z[0] * z[1]]
-        };
+        let scale = |p: &[f64; 3]| times(p, exponents);
         let plain = spiral(12);
-        let layer = |points: &[[f64; 3]]| points.iter().map(scale).collect();
-        let (bottom, middle, top) = (layer(&plain.bottom), layer(&plain.middle), layer(&plain.top));
-        let scaled = Shell { bottom, middle, top, faces: plain.faces.clone() };
-        let projection = Projection::new(&scaled, &VertexOrder::Id).unwrap();
+        let shell = scaled(&plain, exponents);
+        let projection = Projection::new(&shell, &VertexOrder::Id).unwrap();
         let before = Projection::new(&plain, &VertexOrder::Id).unwrap();
         let (mut inside, mut outside) = (0, 0);
         for i in 0..200 {
@@ -157,11 +151,7 @@ fn every_width_gives_the_same_coordinates() {
             expected = TetWeights::new(tet.each_ref(), &exact).unwrap();
         }
         let found = coordinates(tet.each_ref(), &p);
-        kinds[match found {
-            Integers::Narrow(_) => 0,
-            Integers::Wide(_) => 1,
-            Integers::Big(_) => 2,
-        }] += 1;
+        kinds[kind(&found)] += 1;
         let found = found.combined([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).to_big();
         let sum = found.iter().sum::<dashu_int::IBig>();
         assert!(sum.is_positive());
@@ -173,6 +163,14 @@ fn every_width_gives_the_same_coordinates() {
         }
     }
     assert!(kinds.iter().all(|&n| n > 200), "{kinds:?}");
+}
+
+fn kind<const N: usize>(found: &Integers<N>) -> usize {
+    match found {
+        Integers::Narrow(_) => 0,
+        Integers::Wide(_) => 1,
+        Integers::Big(_) => 2,
+    }
 }
 
 /// The largest integers of each kind, and the smallest of the next one: a corner at `±x`, the others far on the other side.
@@ -189,11 +187,7 @@ fn the_ends_of_every_width() {
                 let exact = Homogeneous::new(&rational_point(&p));
                 let expected = TetWeights::new(tet.each_ref(), &exact).unwrap();
                 let found = coordinates(tet.each_ref(), &p);
-                kinds[match found {
-                    Integers::Narrow(_) => 0,
-                    Integers::Wide(_) => 1,
-                    Integers::Big(_) => 2,
-                }] += 1;
+                kinds[kind(&found)] += 1;
                 let found = found.to_big();
                 let sum = found.iter().sum::<dashu_int::IBig>();
                 let inverted = sum.is_negative();
