@@ -9,7 +9,7 @@ use super::observer::Observer;
 use super::witness::BadTet;
 use crate::number::dyadic::scale_points;
 use crate::predicate::batch::Level;
-use crate::predicate::batch::kernel::{LANES, Row, common_error, gather, keep_positive, minus};
+use crate::predicate::batch::kernel::{LANES, Row, common_error, cross, gather, keep_least, minus};
 use crate::predicate::{StageCounts, orient3d_staged};
 use crate::shell::decomposition::TETS;
 use crate::shell::{Layer, Shell, Slab, Tet};
@@ -80,19 +80,40 @@ fn prisms(level: Level, shell: &Shell, first: usize, faces: &[[u32; 3]], out: &m
     }
 }
 
-/// The prisms of a block all of whose tets are positive by a bound for each slab. A pinched vertex makes a tet of the table
-/// flat, so that no such prism is among them.
+/// The prisms of a block all of whose tets are positive by a bound for each slab. A pinched vertex makes a tet flat, so that no
+/// such prism is among them.
+///
+/// The twelve tets of a slab need eight cross products, one of which the other slab needs, too: with `V` the pillars' halves,
+/// `e` the sides below and `h` those above, all of them rounded differences of two points, and `N` the normals of the two triangles,
+/// the determinants are `N_lo . V_x` and `N_hi . V_x` for the three corners `x`, and for each side `u v` with the corner `w`
+/// before it `(V_v x e_uv) . h_vw` and `(V_u x e_uv) . h_uw`: the vector from the plane of three points to the fourth may start at
+/// any of the three.
 #[inline(always)]
 fn all_positive(shell: &Shell, faces: &[[u32; 3]; LANES]) -> [bool; LANES] {
     let layers: [[Row; 3]; 3] =
         [Layer::Bottom, Layer::Middle, Layer::Top].map(|layer| gather(shell.layer(layer), faces));
+    // The side k leads from corner k to the next one.
+    let sides = layers.each_ref().map(|[a, b, c]| [minus(b, a), minus(c, b), minus(a, c)]);
+    let normals = sides.each_ref().map(|[a, b, _]| cross(a, b));
     let mut kept = [true; LANES];
-    for [lo, hi] in [[&layers[0], &layers[1]], [&layers[1], &layers[2]]] {
+    for slab in [0, 1] {
+        let (lo, hi) = (&layers[slab], &layers[slab + 1]);
         let error = common_error(&[&lo[0], &lo[1], &lo[2], &hi[0], &hi[1], &hi[2]]);
-        for tet in &TETS {
-            let [a, b, c, d] =
-                tet.vertices.map(|(corner, is_hi)| &(if is_hi { hi } else { lo })[usize::from(corner)]);
-            keep_positive(&mut kept, &minus(b, a), &minus(c, a), &minus(d, a), &error);
+        let pillars = [0, 1, 2].map(|k| minus(&hi[k], &lo[k]));
+        let mut least = [f64::INFINITY; LANES];
+        for pillar in &pillars {
+            keep_least(&mut least, pillar, &normals[slab]);
+            keep_least(&mut least, pillar, &normals[slab + 1]);
+        }
+        let (below, above) = (&sides[slab], &sides[slab + 1]);
+        for u in [0, 1, 2] {
+            let (v, w) = ((u + 1) % 3, (u + 2) % 3);
+            keep_least(&mut least, &above[v], &cross(&pillars[v], &below[u]));
+            // From `u` to `w`: the side leads the other way, so that the product is turned.
+            keep_least(&mut least, &above[w], &cross(&below[u], &pillars[u]));
+        }
+        for l in 0..LANES {
+            kept[l] &= least[l] > error[l];
         }
     }
     kept

@@ -16,6 +16,9 @@ pub(crate) const ZERO: Row = [[0.0; LANES]; 3];
 /// The points of a block of inputs.
 #[inline(always)]
 pub(crate) fn gather<const N: usize>(vertices: &[[f64; 3]], inputs: &[[u32; N]]) -> [Row; N] {
+    if let Some(points) = gather_fours(vertices.as_flattened(), inputs) {
+        return points;
+    }
     let mut out = [ZERO; N];
     for (l, ids) in inputs.iter().enumerate().take(LANES) {
         for (row, id) in out.iter_mut().zip(ids) {
@@ -26,6 +29,27 @@ pub(crate) fn gather<const N: usize>(vertices: &[[f64; 3]], inputs: &[[u32; N]])
         }
     }
     out
+}
+
+/// The same with one load of four numbers for a point, the first of the next point among them, as in [`differences`].
+#[inline(always)]
+fn gather_fours<const N: usize>(flat: &[f64], inputs: &[[u32; N]]) -> Option<[Row; N]> {
+    let mut by_input = [[[0.0; 4]; LANES]; N];
+    for (l, ids) in inputs.iter().enumerate().take(LANES) {
+        for (points, id) in by_input.iter_mut().zip(ids) {
+            let start = 3 * *id as usize;
+            points[l] = *flat.get(start..start + 4)?.first_chunk()?;
+        }
+    }
+    let mut out = [ZERO; N];
+    for (row, points) in out.iter_mut().zip(&by_input) {
+        for (l, point) in points.iter().enumerate() {
+            for axis in 0..3 {
+                row[axis][l] = point[axis];
+            }
+        }
+    }
+    Some(out)
 }
 
 /// The signs of a block of inputs that are indices of vertices; row `k` of the matrix is vertex `j` minus vertex `i` of the input,
@@ -118,14 +142,14 @@ pub(crate) fn minus(to: &Row, from: &Row) -> Row {
     out
 }
 
-/// `det[p, q, r]`, rounded.
+/// `q x r`, rounded, as in `det[p, q, r] = p . (q x r)`.
 #[inline(always)]
-fn determinant(p: &Row, q: &Row, r: &Row) -> Lane {
-    let mut out = [0.0; LANES];
+pub(crate) fn cross(q: &Row, r: &Row) -> Row {
+    let mut out = ZERO;
     for l in 0..LANES {
-        out[l] = p[0][l] * (q[1][l] * r[2][l] - q[2][l] * r[1][l])
-            + p[1][l] * (q[2][l] * r[0][l] - q[0][l] * r[2][l])
-            + p[2][l] * (q[0][l] * r[1][l] - q[1][l] * r[0][l]);
+        out[0][l] = q[1][l] * r[2][l] - q[2][l] * r[1][l];
+        out[1][l] = q[2][l] * r[0][l] - q[0][l] * r[2][l];
+        out[2][l] = q[0][l] * r[1][l] - q[1][l] * r[0][l];
     }
     out
 }
@@ -167,11 +191,12 @@ pub(crate) fn common_error(points: &[&Row; 6]) -> Lane {
     out
 }
 
-/// Keeps the lanes in which `det[p, q, r]` is above the error.
+/// The lesser of two numbers in every lane, the second of which is `p . n`, rounded. (One that is no number is passed over: it
+/// occurs only where the bound is infinite.)
 #[inline(always)]
-pub(crate) fn keep_positive(kept: &mut [bool; LANES], p: &Row, q: &Row, r: &Row, error: &Lane) {
-    let value = determinant(p, q, r);
+pub(crate) fn keep_least(least: &mut Lane, p: &Row, n: &Row) {
     for l in 0..LANES {
-        kept[l] &= value[l] > error[l];
+        let value = p[0][l] * n[0][l] + p[1][l] * n[1][l] + p[2][l] * n[2][l];
+        least[l] = if value < least[l] { value } else { least[l] };
     }
 }
