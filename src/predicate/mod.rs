@@ -17,6 +17,7 @@ mod stage;
 pub(crate) mod tests;
 mod word;
 
+pub(crate) use meeting::triangle_touches_tet;
 pub use meeting::{Meeting, segment_segment, segment_triangle, triangle_tet, triangle_triangle};
 pub use orient::{
     Axis, collinear, det_sign, det_sign_exact, det_sign_staged, dot_sign, dot_sign_exact, dot_sign_staged,
