@@ -10,7 +10,7 @@ use super::witness::BadTet;
 use crate::number::dyadic::scale_points;
 use crate::predicate::batch::Level;
 use crate::predicate::batch::kernel::{LANES, Row, common_error, cross, gather, keep_least, minus};
-use crate::predicate::{StageCounts, orient3d_staged};
+use crate::predicate::{StageCounts, orient3d, orient3d_staged};
 use crate::shell::decomposition::TETS;
 use crate::shell::{Layer, Shell, Slab, Tet};
 
@@ -31,24 +31,13 @@ const BATCH: usize = 32 * LANES;
 
 /// Decides C1. Linear in the number of prisms; all cores.
 pub(crate) fn decide(shell: &Shell, observer: &dyn Observer) -> Result<Positivity, CertifyError> {
-    let level = Level::widest();
-    let parts: Vec<Positivity> = shell
-        .faces
-        .par_chunks(BATCH)
-        .enumerate()
-        .map(|(k, chunk)| {
-            let mut part = Positivity::default();
-            if observer.cancelled() {
-                return part;
-            }
-            prisms(level, shell, k * BATCH, chunk, &mut part);
-            observer.advance(chunk.len() as u64);
-            part
-        })
-        .collect();
-    if observer.cancelled() {
-        return Err(CertifyError::Cancelled);
-    }
+    let parts = batches(shell, observer, |p, clear, part: &mut Positivity| {
+        if clear {
+            part.stages.filter += 2 * TETS.len() as u64;
+        } else {
+            prism(shell, p, part);
+        }
+    })?;
     let mut out = Positivity::default();
     for part in parts {
         out.bad.extend(part.bad);
@@ -57,8 +46,43 @@ pub(crate) fn decide(shell: &Shell, observer: &dyn Observer) -> Result<Positivit
     Ok(out)
 }
 
-/// Some prisms, the first of which is given: whole blocks by a common bound, then one by one what this leaves open.
-fn prisms(level: Level, shell: &Shell, first: usize, faces: &[[u32; 3]], out: &mut Positivity) {
+/// The slabs of prisms with a tet that is not positive, ascending: where [`decide`] finds bad tets, without their witnesses.
+pub(crate) fn bad_slabs(shell: &Shell, observer: &dyn Observer) -> Result<Vec<(u32, Slab)>, CertifyError> {
+    let is_bad = |tet: Tet| {
+        let [a, b, c, d] = tet.names.map(|n| shell.position(n));
+        !orient3d(a, b, c, d).is_positive()
+    };
+    let parts = batches(shell, observer, |p, clear, part: &mut Vec<(u32, Slab)>| {
+        let bad = |slab: &Slab| !clear && shell.prism_tets(p).any(|t| t.slab == *slab && is_bad(t));
+        part.extend(Slab::BOTH.into_iter().filter(bad).map(|slab| (p, slab)));
+    })?;
+    Ok(parts.concat())
+}
+
+/// Looks at every prism, with whether a common bound shows that all its tets are positive. What is made of each batch, in order.
+fn batches<T: Default + Send>(
+    shell: &Shell,
+    observer: &dyn Observer,
+    look: impl Fn(u32, bool, &mut T) + Sync,
+) -> Result<Vec<T>, CertifyError> {
+    let level = Level::widest();
+    let batch = |(k, chunk): (usize, &[[u32; 3]])| {
+        let mut part = T::default();
+        if observer.cancelled() {
+            return part;
+        }
+        for (i, clear) in clear(level, shell, chunk).into_iter().enumerate() {
+            look(u32::try_from(k * BATCH + i).unwrap_or(u32::MAX), clear, &mut part);
+        }
+        observer.advance(chunk.len() as u64);
+        part
+    };
+    let parts = shell.faces.par_chunks(BATCH).enumerate().map(batch).collect();
+    if observer.cancelled() { Err(CertifyError::Cancelled) } else { Ok(parts) }
+}
+
+/// For some prisms whether all their tets are positive by a common bound: whole blocks; of those that are left over nothing is known.
+fn clear(level: Level, shell: &Shell, faces: &[[u32; 3]]) -> Vec<bool> {
     let (blocks, _) = faces.as_chunks::<LANES>();
     let mut clear = vec![[false; LANES]; blocks.len()];
     // Inlined, as what is called would be compiled without the instructions of the level.
@@ -70,14 +94,9 @@ fn prisms(level: Level, shell: &Shell, first: usize, faces: &[[u32; 3]], out: &m
             }
         },
     );
-    let clear = clear.as_flattened();
-    for i in 0..faces.len() {
-        if clear.get(i) == Some(&true) {
-            out.stages.filter += 2 * TETS.len() as u64;
-        } else {
-            prism(shell, u32::try_from(first + i).unwrap_or(u32::MAX), out);
-        }
-    }
+    let mut clear = clear.into_flattened();
+    clear.resize(faces.len(), false);
+    clear
 }
 
 /// The prisms of a block all of whose tets are positive by a bound for each slab. A pinched vertex makes a tet flat, so that no

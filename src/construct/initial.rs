@@ -5,6 +5,7 @@ use super::boundary::Pillars;
 use super::direction::{Direction, directions, float_cross, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::{self, BuildError};
+use super::optimise::tree::Tree;
 use super::scale::Scale;
 use super::thickness::{self, Against, Shrunk};
 use crate::certify::Observer;
@@ -111,6 +112,7 @@ fn at_size_one(
     let mut pinched: Vec<bool> =
         directions.iter().map(|d| matches!(d, Direction::Singular(_) | Direction::Undecided)).collect();
     let most = options.thickness.length(mesh);
+    let tree = Tree::new(mesh);
     Pillars { mesh, connectivity, direction: &mut direction, pinched: &mut pinched }.settle();
     loop {
         let input = Input { mesh, connectivity, direction: &direction, pinched: &pinched };
@@ -119,7 +121,7 @@ fn at_size_one(
         let mut draft = bevel(&input, &marks);
         no_two_pinched(&draft)?;
         observer.stage("thickness", None);
-        let against = Against { mesh, connectivity, all: !options.allow_self_intersections };
+        let against = Against { mesh, connectivity, tree: &tree, all: !options.allow_self_intersections };
         thickness::first_guess(&mut draft, &against, most);
         match thickness::shrink(&mut draft, &against, options.no_overlap, observer)? {
             Shrunk::Fits(rounds) => {

@@ -2,19 +2,19 @@
 //! (*Shell* section 3.3).
 
 use rayon::prelude::*;
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, RTree};
 
+use self::conditions::{Known, wrong};
 use super::direction::{float_cross, float_dot, float_normal};
 use super::draft::Draft;
 use super::gate::BuildError;
+use super::optimise::tree::{Box3, Tree};
 use super::overlap;
+use crate::certify::Observer;
 use crate::certify::complex::{Boundary, MeshView};
-use crate::certify::disjoint::{self, About};
-use crate::certify::{Observer, i2, positivity};
 use crate::mesh::{Connectivity, TriMesh};
-use crate::shell::{Layer, Name, Shell, Slab};
+use crate::shell::Slab;
 
+mod conditions;
 #[cfg(test)]
 mod tests;
 
@@ -32,6 +32,8 @@ const NOT_POSITIVE: &str = "the prism is not positive";
 pub(crate) struct Against<'a> {
     pub(crate) mesh: &'a TriMesh,
     pub(crate) connectivity: &'a Connectivity,
+    /// The mesh's triangles by box.
+    pub(crate) tree: &'a Tree,
     /// All triangles, or only those that share a vertex with a prism's own one?
     pub(crate) all: bool,
 }
@@ -50,15 +52,6 @@ impl Against<'_> {
 
 /// Sets every vertex's thickness to `most`, or to a share of the free way along its pillar, if that is less.
 pub(crate) fn first_guess(draft: &mut Draft, against: &Against<'_>, most: f64) {
-    let mesh = against.mesh;
-    let corners = |f: &[u32; 3]| f.map(|v| mesh.vertices[v as usize]);
-    let leaf = |(id, f): (usize, &[u32; 3])| {
-        let p = corners(f);
-        let low = std::array::from_fn(|i| p[0][i].min(p[1][i]).min(p[2][i]));
-        let high = std::array::from_fn(|i| p[0][i].max(p[1][i]).max(p[2][i]));
-        GeomWithData::new(Rectangle::from_corners(low, high), u32::try_from(id).unwrap_or(u32::MAX))
-    };
-    let tree = RTree::bulk_load(mesh.faces.iter().enumerate().map(leaf).collect());
     // The triangles that each vertex lies in: a ray does not come back to them, but rounding may have put its start
     // beside them.
     let mut own: Vec<Vec<u32>> = vec![Vec::new(); draft.middle.len()];
@@ -73,7 +66,7 @@ pub(crate) fn first_guess(draft: &mut Draft, against: &Against<'_>, most: f64) {
         .into_par_iter()
         .map(|v| {
             let ray = Ray { against, from: draft.middle[v], own: &own[v] };
-            [1.0, -1.0].map(|sign| ray.free_way(&tree, &draft.direction[v].map(|x| x * sign), most))
+            [1.0, -1.0].map(|sign| ray.free_way(&draft.direction[v].map(|x| x * sign), most))
         })
         .collect();
     for (v, [up, down]) in free.into_iter().enumerate() {
@@ -92,23 +85,20 @@ struct Ray<'a> {
 
 impl Ray<'_> {
     /// How far it goes, up to a little more than `most`, before it hits a triangle.
-    fn free_way(
-        &self,
-        tree: &RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>,
-        direction: &[f64; 3],
-        most: f64,
-    ) -> f64 {
+    fn free_way(&self, direction: &[f64; 3], most: f64) -> f64 {
         let reach = most / CLEARANCE;
         // Nested boxes: most rays end soon, and a long thin box would hold much of the mesh.
         let mut length = reach / 64.0;
         loop {
             length = (length * 4.0).min(reach);
             let to: [f64; 3] = std::array::from_fn(|i| self.from[i] + length * direction[i]);
-            let hit = tree
-                .locate_in_envelope_intersecting(&AABB::from_corners(self.from, to))
-                .filter(|g| !self.own.contains(&g.data) && self.against.counts(g.data, self.own))
-                .filter_map(|g| self.hit(g.data, direction))
-                .fold(f64::INFINITY, f64::min);
+            let mut hit = f64::INFINITY;
+            self.against.tree.all(&Box3::of([&self.from, &to]), |f| {
+                if !self.own.contains(&f) && self.against.counts(f, self.own) {
+                    hit = hit.min(self.hit(f, direction).unwrap_or(f64::INFINITY));
+                }
+                true
+            });
             if hit <= length || length >= reach {
                 return hit.min(reach);
             }
@@ -168,86 +158,6 @@ pub(crate) fn shrink(
         }
     }
     Ok(Shrunk::Fits(0))
-}
-
-/// Slabs of prisms and the condition that they break.
-type Wrong = (Vec<(u32, Slab)>, &'static str);
-
-/// Prisms by condition: whether it is known to hold. What a prism is found to be stays true until one of its corners moves, and a
-/// round moves few of them: judging all prisms in every round took nine tenths of the time of meshes with many rounds.
-struct Known([Vec<bool>; 3]);
-
-impl Known {
-    const POSITIVE: usize = 0;
-    const CLEAR: usize = 1;
-    const CONTACTS: usize = 2;
-
-    fn nothing(prisms: usize) -> Self {
-        Self([vec![false; prisms], vec![false; prisms], vec![false; prisms]])
-    }
-
-    /// The prisms of which a condition is not known, as a shell on the same vertices, and their ids.
-    fn rest(&self, condition: usize, shell: &mut Shell, all: &[[u32; 3]]) -> Vec<u32> {
-        let known = &self.0[condition];
-        let ids: Vec<u32> = (0..all.len() as u32).filter(|&p| !known[p as usize]).collect();
-        shell.faces = ids.iter().map(|&p| all[p as usize]).collect();
-        ids
-    }
-
-    /// These prisms were judged; those with one of the slabs are wrong.
-    fn judged(&mut self, condition: usize, ids: &[u32], wrong: &[(u32, Slab)]) {
-        ids.iter().for_each(|&p| self.0[condition][p as usize] = true);
-        wrong.iter().for_each(|&(p, _)| self.0[condition][p as usize] = false);
-    }
-
-    /// Some vertices have moved.
-    fn forget(&mut self, faces: &[[u32; 3]], moved: &[bool]) {
-        for (p, face) in faces.iter().enumerate() {
-            if face.iter().any(|&v| moved[v as usize]) {
-                self.0.iter_mut().for_each(|known| known[p] = false);
-            }
-        }
-    }
-}
-
-/// The slabs that break a condition, the cheapest condition first, and which one it is.
-fn wrong(
-    draft: &Draft,
-    against: &Against<'_>,
-    view: &MeshView<'_>,
-    known: &mut Known,
-    observer: &dyn Observer,
-) -> Result<Wrong, BuildError> {
-    let counts = |f: u32, prism: u32| against.counts(f, &[draft.origin[prism as usize]]);
-    let mut part = draft.shell();
-    let slab = |names: &[Name]| {
-        if names.iter().any(|n| n.layer == Layer::Top) { Slab::Top } else { Slab::Bottom }
-    };
-    let ids = known.rest(Known::POSITIVE, &mut part, &draft.faces);
-    let bad = positivity::decide(&part, observer)?.bad;
-    let wrong: Vec<_> = bad.iter().map(|b| (ids[b.prism as usize], slab(&b.names))).collect();
-    known.judged(Known::POSITIVE, &ids, &wrong);
-    if !wrong.is_empty() {
-        return Ok((wrong, NOT_POSITIVE));
-    }
-    let ids = known.rest(Known::CLEAR, &mut part, &draft.faces);
-    let mut wrong = Vec::new();
-    for (about, slab) in [(About::Bottom, Slab::Bottom), (About::Top, Slab::Top)] {
-        let found = disjoint::decide(view, &part, about, observer)?;
-        let crossings = found.crossings.iter().map(|c| (c.first, ids[c.second as usize]));
-        wrong.extend(crossings.filter(|&(f, prism)| counts(f, prism)).map(|(_, prism)| (prism, slab)));
-    }
-    known.judged(Known::CLEAR, &ids, &wrong);
-    if !wrong.is_empty() {
-        return Ok((wrong, "the mesh meets bottom or top"));
-    }
-    let ids = known.rest(Known::CONTACTS, &mut part, &draft.faces);
-    let found = i2::decide(view, &part, observer)?;
-    let contacts = found.contacts.iter().map(|c| (c.face, ids[c.prism as usize], slab(&c.names)));
-    let wrong: Vec<_> =
-        contacts.filter(|&(f, prism, _)| counts(f, prism)).map(|(_, prism, slab)| (prism, slab)).collect();
-    known.judged(Known::CONTACTS, &ids, &wrong);
-    Ok((wrong, "a triangle touches the prism in the wrong direction"))
 }
 
 /// How far shrinking may go.

@@ -49,15 +49,39 @@ pub(super) type Rows<const R: usize> = [(usize, usize); R];
 /// `d` is bounded in absolute value by the corresponding intermediate of `permanent`, hence finite.
 #[inline]
 pub(super) fn filter3(p: [f64; 3], q: [f64; 3], r: [f64; 3]) -> Option<Sign> {
-    let (q1r2, q2r1) = (q[1] * r[2], q[2] * r[1]);
-    let (q2r0, q0r2) = (q[2] * r[0], q[0] * r[2]);
-    let (q0r1, q1r0) = (q[0] * r[1], q[1] * r[0]);
-    let [x, y, z] = p.map(f64::abs);
-    let determinant = p[0] * (q1r2 - q2r1) + p[1] * (q2r0 - q0r2) + p[2] * (q0r1 - q1r0);
-    let permanent =
-        x * (q1r2.abs() + q2r1.abs()) + y * (q2r0.abs() + q0r2.abs()) + z * (q0r1.abs() + q1r0.abs());
-    let err = 1e-15 * permanent + 1e-300 * (x + y + z) + 1e-300;
-    decided(determinant, err)
+    Minors::new(q, r).filter3(p)
+}
+
+/// The part of [`filter3`] that two of the rows have in common for every third one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Minors {
+    minors: [f64; 3],
+    /// The sums of the absolute values of the products in the minors.
+    sums: [f64; 3],
+}
+
+impl Minors {
+    #[inline]
+    pub(super) fn new(q: [f64; 3], r: [f64; 3]) -> Self {
+        let (q1r2, q2r1) = (q[1] * r[2], q[2] * r[1]);
+        let (q2r0, q0r2) = (q[2] * r[0], q[0] * r[2]);
+        let (q0r1, q1r0) = (q[0] * r[1], q[1] * r[0]);
+        Self {
+            minors: [q1r2 - q2r1, q2r0 - q0r2, q0r1 - q1r0],
+            sums: [q1r2.abs() + q2r1.abs(), q2r0.abs() + q0r2.abs(), q0r1.abs() + q1r0.abs()],
+        }
+    }
+
+    /// [`filter3`] of the rows `p`, `q`, `r`; the same as of `q`, `r`, `p`, which have the same determinant.
+    #[inline]
+    pub(super) fn filter3(&self, p: [f64; 3]) -> Option<Sign> {
+        let ([m0, m1, m2], [s0, s1, s2]) = (self.minors, self.sums);
+        let [x, y, z] = p.map(f64::abs);
+        let determinant = p[0] * m0 + p[1] * m1 + p[2] * m2;
+        let permanent = x * s0 + y * s1 + z * s2;
+        let err = 1e-15 * permanent + 1e-300 * (x + y + z) + 1e-300;
+        decided(determinant, err)
+    }
 }
 
 /// The first stage for the determinant with the rows `p`, `q` of ROUNDED differences.

@@ -258,6 +258,13 @@ fn dimension([a, b, c]: [&[f64; 3]; 3]) -> Meeting {
     }
 }
 
+/// The edges of a tet, each with the two corners that are not on it.
+const TET_EDGES: [(usize, usize, usize, usize); 6] =
+    [(0, 1, 2, 3), (0, 2, 1, 3), (0, 3, 1, 2), (1, 2, 0, 3), (1, 3, 0, 2), (2, 3, 0, 1)];
+
+/// The edges of a triangle, each with the corner that is not on it.
+const TRIANGLE_EDGES: [(usize, usize, usize); 3] = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
+
 /// Is there a plane with the (closed) triangle on one side or on it, and the interior of the tet on the
 /// other, apart from the planes of the tet's faces, which the caller has tried?
 ///
@@ -271,9 +278,8 @@ fn weakly_separated(triangle: [&[f64; 3]; 3], tet: [&[f64; 3]; 4]) -> bool {
     }
     // The plane through a tet edge (i, j), parallel to a triangle edge (k, l): i and j are on it, and k and l
     // are on the same side of it.
-    let tet_edges = [(0, 1, 2, 3), (0, 2, 1, 3), (0, 3, 1, 2), (1, 2, 0, 3), (1, 3, 0, 2), (2, 3, 0, 1)];
-    tet_edges.into_iter().any(|(i, j, m, n)| {
-        [(0, 1, 2), (1, 2, 0), (2, 0, 1)].into_iter().any(|(k, l, o)| {
+    TET_EDGES.into_iter().any(|(i, j, m, n)| {
+        TRIANGLE_EDGES.into_iter().any(|(k, l, o)| {
             let side = |x| det_sign([tet[i], tet[j]], [triangle[k], triangle[l]], [tet[i], x]);
             let (first, second) = (side(tet[m]), side(tet[n]));
             // Opposite, or both zero because there is no plane: nothing is split.
@@ -288,4 +294,47 @@ fn splits<const N: usize, const M: usize>(tet: [Sign; N], triangle: [Sign; M]) -
     [Sign::Positive, Sign::Negative]
         .into_iter()
         .any(|side| tet.contains(&side) && !tet.contains(&-side) && !triangle.contains(&side))
+}
+
+/// Do a closed triangle and a closed tet of positive determinant share a point? What [`triangle_tet`] says of
+/// them, with fewer signs: it does not ask for the dimension.
+pub(crate) fn triangle_touches_tet(triangle: [&[f64; 3]; 3], tet: [&[f64; 3]; 4]) -> bool {
+    // Meshes that share corners share many; signs of planes through them are zero, which takes longest.
+    if triangle.iter().any(|x| tet.iter().any(|y| same_point(x, y))) {
+        return true;
+    }
+    let [a, b, c, d] = tet;
+    // Even permutations of the tet: the fourth corner is on the positive side of each face.
+    let faces = [[a, b, c], [a, d, b], [a, c, d], [b, d, c]];
+    let is_beyond = |x: &[f64; 3], [p, q, r]: [&[f64; 3]; 3]| orient3d(p, q, r, x).is_negative();
+    if faces.into_iter().any(|face| triangle.into_iter().all(|x| is_beyond(x, face))) {
+        return false;
+    }
+    let is_inside = |x: &[f64; 3]| !faces.into_iter().any(|face| is_beyond(x, face));
+    triangle.into_iter().any(is_inside) || !strictly_separated(triangle, tet)
+}
+
+/// Is there a plane strictly between a triangle and a tet that has volume, apart from those parallel to faces of the
+/// tet, which the caller has tried?
+///
+/// Their Minkowski difference is a polytope with interior. They are disjoint exactly when it does not hold the origin,
+/// that is when the origin is strictly beyond a facet; facets are parallel to a face of the tet, to the triangle, or to
+/// an edge of each. On the facet's plane through the edge of the tet, the tet is on one side or on it, and the triangle
+/// strictly on the other.
+fn strictly_separated(triangle: [&[f64; 3]; 3], tet: [&[f64; 3]; 4]) -> bool {
+    let [u, v, w] = triangle;
+    if strictly_one_side(tet.map(|x| orient3d(u, v, w, x))) {
+        return true;
+    }
+    TET_EDGES.into_iter().any(|(i, j, m, n)| {
+        TRIANGLE_EDGES.into_iter().any(|(k, l, o)| {
+            let side = |x| det_sign([tet[i], tet[j]], [triangle[k], triangle[l]], [tet[i], x]);
+            // The edge of the triangle is parallel to the plane: k stands for both of its ends.
+            let beyond = side(triangle[k]);
+            !beyond.is_zero()
+                && side(triangle[o]) == beyond
+                && side(tet[m]) != beyond
+                && side(tet[n]) != beyond
+        })
+    })
 }

@@ -17,7 +17,9 @@ mod stage;
 pub(crate) mod tests;
 mod word;
 
+pub(crate) use meeting::triangle_touches_tet;
 pub use meeting::{Meeting, segment_segment, segment_triangle, triangle_tet, triangle_triangle};
+pub(crate) use orient::Plane;
 pub use orient::{
     Axis, collinear, det_sign, det_sign_exact, det_sign_staged, dot_sign, dot_sign_exact, dot_sign_staged,
     normal_signs, orient2d, orient2d_exact, orient2d_staged, orient3d, orient3d_exact, orient3d_staged,

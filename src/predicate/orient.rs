@@ -1,6 +1,6 @@
 //! Orientation signs of points and of vectors between points.
 
-use super::determinant::{Integers, Rows, filter2, filter3};
+use super::determinant::{Integers, Minors, Rows, filter2, filter3};
 use super::{Sign, Stage, word};
 
 /// Rows of [`orient3d`] over the points `a, b, c, d`.
@@ -115,6 +115,31 @@ pub fn dot_sign_staged(
 /// [`dot_sign`] by big integers alone.
 pub fn dot_sign_exact(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], s: &[f64; 3], t: &[f64; 3]) -> Sign {
     Integers::new(by_axis([a, b, c, s, t])).sign_big(DOT)
+}
+
+/// A triangle whose plane many signs are about: what the filters of all of them have in common. The corners are
+/// handed in again where a filter does not decide.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plane(Minors);
+
+impl Plane {
+    /// The plane of the triangle `(a, b, c)`.
+    #[inline]
+    pub(crate) fn of([a, b, c]: [&[f64; 3]; 3]) -> Self {
+        Self(Minors::new(minus(b, a), minus(c, a)))
+    }
+
+    /// [`orient3d`] of the triangle's corners and `d`: the determinant with its rows turned.
+    #[inline]
+    pub(crate) fn side(&self, [a, b, c]: [&[f64; 3]; 3], d: &[f64; 3]) -> Sign {
+        self.0.filter3(minus(d, a)).unwrap_or_else(|| unfiltered3([a, b, c, d], TET).0)
+    }
+
+    /// [`dot_sign`] of the triangle's corners, `s` and `t`: likewise.
+    #[inline]
+    pub(crate) fn dot_sign(&self, [a, b, c]: [&[f64; 3]; 3], s: &[f64; 3], t: &[f64; 3]) -> Sign {
+        self.0.filter3(minus(t, s)).unwrap_or_else(|| unfiltered3([a, b, c, s, t], DOT).0)
+    }
 }
 
 /// The sign of `det[u1-u0, v1-v0, w1-w0]`, that is of `cross(u1-u0, v1-v0) . (w1-w0)`: the general form of

@@ -2,6 +2,7 @@ use super::*;
 use crate::certify::Silent;
 use crate::construct::icosphere;
 use crate::predicate::orient3d_exact;
+use crate::shell::Name;
 use crate::testing::Random;
 
 /// A shell of 1280 prisms around a sphere, some of them damaged: blocks with and without bad tets, pinched vertices, and
@@ -41,6 +42,13 @@ fn blocks_of_prisms_have_the_verdicts_of_their_tets() {
         let out = decide(&shell, &Silent).unwrap();
         let bad: Vec<_> = out.bad.iter().map(|b| (b.prism, b.names)).collect();
         assert_eq!(bad, wanted);
+        let slab = |names: &[Name; 4]| {
+            if names.iter().any(|n| n.layer == Layer::Top) { Slab::Top } else { Slab::Bottom }
+        };
+        let mut slabs: Vec<_> = wanted.iter().map(|(p, names)| (*p, slab(names))).collect();
+        slabs.sort_unstable();
+        slabs.dedup();
+        assert_eq!(bad_slabs(&shell, &Silent).unwrap(), slabs);
         let all: usize = (0..1280).map(|p| shell.prism_tets_unique(p).count()).sum();
         assert_eq!(out.stages.total(), all as u64);
         found += bad.len();

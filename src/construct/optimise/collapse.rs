@@ -2,7 +2,7 @@
 
 use super::cast;
 use super::energy::mips;
-use super::invariants::Judge;
+use super::invariants::{Judge, Suspect};
 use super::limits::{Limits, distance};
 use super::prism::{Pillar, Prism, direction, with_lengths};
 use super::state::{Change, State};
@@ -45,10 +45,12 @@ pub(crate) fn propose(
         let ends = [u, w].map(|v| &state.pillars[v as usize]);
         effort.places.iter().map(|&t| between(judge, limits, ends, t)).collect()
     };
+    let suspect = Suspect::default();
+    let admits = |change: &Change| judge.admits_one_of_many(state, change, &suspect);
     for &share in effort.shares {
         let mut options = proposals(state, limits, [u, w], &between, share);
         options.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((_, chosen)) = options.into_iter().find(|(_, change)| judge.admits(state, change)) {
+        if let Some((_, chosen)) = options.into_iter().find(|(_, change)| admits(change)) {
             return Some(chosen);
         }
     }

@@ -18,7 +18,7 @@ mod invariants;
 mod limits;
 mod operation;
 mod partner;
-mod prism;
+pub(crate) mod prism;
 mod repair;
 mod schedule;
 mod skin;
@@ -28,7 +28,7 @@ mod state;
 #[cfg(test)]
 mod tests;
 pub(crate) mod tracked;
-mod tree;
+pub(crate) mod tree;
 
 use std::borrow::Cow;
 use std::convert::Infallible;

@@ -1,6 +1,7 @@
 //! Joint shells: pillars and splits that lower the partner's violation.
 
 use super::cast;
+use super::invariants::Suspect;
 use super::limits::distance;
 use super::operation::Rules;
 use super::partner::Partner;
@@ -39,7 +40,9 @@ pub(crate) fn propose(state: &State, rules: &Rules<'_>, v: u32) -> Option<Change
         }
     }
     better.sort_by(|a, b| a.0.total_cmp(&b.0));
-    better.into_iter().map(|(_, change)| change).find(|change| rules.judge.admits(state, change))
+    let suspect = Suspect::default();
+    let admits = |change: &Change| rules.judge.admits_one_of_many(state, change, &suspect);
+    better.into_iter().map(|(_, change)| change).find(admits)
 }
 
 fn star(state: &State, v: u32) -> Vec<Prism> {

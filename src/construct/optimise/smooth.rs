@@ -2,7 +2,7 @@
 
 use super::cast;
 use super::energy::{gradient, mips};
-use super::invariants::Judge;
+use super::invariants::{Judge, Near, Suspect};
 use super::limits::{Limits, distance, minus};
 use super::prism::{Pillar, Prism, direction, with_lengths};
 use super::state::{Change, State};
@@ -30,12 +30,13 @@ pub(crate) struct Vertex<'a> {
     v: u32,
     pillar: Pillar,
     tracked: Option<Vec<u32>>,
+    suspect: Suspect,
 }
 
 impl<'a> Vertex<'a> {
     pub(crate) fn new(state: &'a State, judge: &'a Judge<'a>, v: u32) -> Self {
         let (pillar, tracked) = (state.pillars[v as usize], state.candidates_around(v));
-        Self { state, judge, v, pillar, tracked }
+        Self { state, judge, v, pillar, tracked, suspect: Suspect::default() }
     }
 
     /// What was done to the pillar.
@@ -62,9 +63,10 @@ impl<'a> Vertex<'a> {
         for _ in 0..=HALVINGS {
             let pillar = step(share);
             let prisms = self.prisms(pillar);
+            let near = Near { tracked: self.tracked.as_deref(), suspect: &self.suspect };
             if pillar.is_finite()
                 && better(&prisms)
-                && self.judge.prefers(&prisms, self.tracked.as_deref(), || self.prisms(self.pillar))
+                && self.judge.prefers(&prisms, near, || self.prisms(self.pillar))
                 && self.fits_skin(pillar)
             {
                 self.pillar = pillar;

@@ -5,7 +5,7 @@
 
 use super::cast;
 use super::energy::mips;
-use super::invariants::Judge;
+use super::invariants::{Judge, Suspect};
 use super::limits::{Limits, distance};
 use super::prism::{Pillar, Prism, direction, with_lengths};
 use super::state::{Change, NEW, State};
@@ -34,12 +34,13 @@ pub(crate) fn propose(state: &State, judge: &Judge<'_>, limits: &Limits, [u, w]:
     let before = worst(state, u, w)?;
     let thin =
         [u, w].map(|v| thickness(&state.pillars[v as usize])).into_iter().fold(f64::INFINITY, f64::min);
+    let suspect = Suspect::default();
     SHARES.iter().find_map(|&share| {
         let change = at_middle(state, judge, limits, [u, w], share)?;
         let after = energy(&state.prisms(&change));
         let thicker = change.moved.is_some_and(|(_, pillar)| thickness(&pillar) > thin);
         let better = after < before || after <= limits.energy && thin < THIN * limits.thickness && thicker;
-        (better && judge.admits(state, &change)).then_some(change)
+        (better && judge.admits_one_of_many(state, &change, &suspect)).then_some(change)
     })
 }
 

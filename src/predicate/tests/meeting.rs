@@ -1,8 +1,8 @@
 use super::brute::{self, I3};
 use super::oracle::P;
 use crate::predicate::{
-    Meeting, ZeroMask, point_in_tet, point_in_triangle, point_on_segment, same_point, segment_segment,
-    segment_triangle, triangle_tet, triangle_triangle,
+    Meeting, ZeroMask, orient3d, point_in_tet, point_in_triangle, point_on_segment, same_point,
+    segment_segment, segment_triangle, triangle_tet, triangle_touches_tet, triangle_triangle,
 };
 use crate::testing::Random;
 
@@ -131,4 +131,35 @@ fn triangles_and_tets() {
         tally(&mut seen, expected);
     }
     assert!(seen.iter().all(|&n| n > 500), "{seen:?}");
+}
+
+#[test]
+fn triangles_touch_tets_when_they_share_a_point() {
+    let (mut random, mut seen, mut apart_by_edges) = (Random(26), [0; 4], 0);
+    for _ in 0..40_000 {
+        let Case { mut grid, mut points } = case::<7>(&mut random);
+        let sign = orient3d(&points[3], &points[4], &points[5], &points[6]);
+        if sign.is_zero() {
+            continue;
+        }
+        if sign.is_negative() {
+            grid.swap(3, 4);
+            points.swap(3, 4);
+        }
+        let expected = meeting(&grid[..3], &grid[3..]);
+        let [a, b, c, d, e, f, g] = &points;
+        assert_eq!(triangle_touches_tet([a, b, c], [d, e, f, g]), expected.meets(), "{grid:?}");
+        tally(&mut seen, expected);
+        // Apart, but by no plane of the triangle or of a face.
+        let splits = |[p, q, r]: [&P; 3], near: &[&P], far: &[&P]| {
+            let side = |x: &&P| orient3d(p, q, r, x).as_i8();
+            near.iter().map(side).chain(far.iter().map(|x| -side(x))).all(|s| s <= 0)
+                && far.iter().all(|x| side(x) != 0)
+        };
+        let own = [[d, e, f], [d, g, e], [d, f, g], [e, g, f]];
+        let by_faces = own.into_iter().any(|[p, q, r]| splits([p, r, q], &[d, e, f, g], &[a, b, c]));
+        let by_triangle = splits([a, b, c], &[], &[d, e, f, g]) || splits([a, c, b], &[], &[d, e, f, g]);
+        apart_by_edges += usize::from(!expected.meets() && !by_faces && !by_triangle);
+    }
+    assert!(seen.iter().all(|&n| n > 500) && apart_by_edges > 100, "{seen:?} {apart_by_edges}");
 }

@@ -1,8 +1,8 @@
 use super::oracle::{self, P};
 use crate::predicate::determinant::Integers;
 use crate::predicate::{
-    Axis, Sign, Stage, StageCounts, collinear, dot_sign_exact, dot_sign_staged, normal_signs, orient2d_exact,
-    orient2d_staged, orient3d, orient3d_exact, orient3d_staged,
+    Axis, Plane, Sign, Stage, StageCounts, collinear, dot_sign_exact, dot_sign_staged, normal_signs,
+    orient2d_exact, orient2d_staged, orient3d, orient3d_exact, orient3d_staged,
 };
 use crate::testing::Random;
 
@@ -24,9 +24,12 @@ fn check(points: &[P; 5], counts: &mut Counts) {
     let expected = oracle::orient3d(a, b, c, d);
     assert_eq!(counts[0].note(orient3d_staged(a, b, c, d)), expected, "orient3d {points:?}");
     assert_eq!(orient3d_exact(a, b, c, d), expected, "orient3d_exact {points:?}");
+    let plane = Plane::of([a, b, c]);
+    assert_eq!(plane.side([a, b, c], d), expected, "side of a plane {points:?}");
     let expected = oracle::dot_sign(a, b, c, d, e);
     assert_eq!(counts[0].note(dot_sign_staged(a, b, c, d, e)), expected, "dot_sign {points:?}");
     assert_eq!(dot_sign_exact(a, b, c, d, e), expected, "dot_sign_exact {points:?}");
+    assert_eq!(plane.dot_sign([a, b, c], d, e), expected, "dot with a plane {points:?}");
     for (axis, k) in Axis::ALL.into_iter().zip(0..) {
         let expected = oracle::orient2d(a, b, c, k);
         assert_eq!(counts[1].note(orient2d_staged(a, b, c, axis)), expected, "orient2d {k} {points:?}");

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use super::energy::{gradient, mips};
-use super::invariants::Judge;
+use super::invariants::{Judge, Suspect};
 use super::limits::Limits;
 use super::operation::{Operation, Rules};
 use super::prism::{Pillar, Prism};
@@ -200,7 +200,7 @@ fn random_operations_keep_every_claim_around_a_singular_vertex() {
     random_sequence(&mesh, 600, &mut Random(5));
 }
 
-/// A move is admitted exactly when the certifier certifies the shell with it.
+/// A move is admitted exactly when the certifier certifies the shell with it, whatever was in the way of the last one.
 #[test]
 fn judge_agrees_with_the_certifier_on_random_moves() {
     let mut random = Random(77);
@@ -211,6 +211,7 @@ fn judge_agrees_with_the_certifier_on_random_moves() {
         let shell = optimise(&mesh, &first.shell, &options, &Silent).unwrap().shell;
         let state = State::new(&shell, &connectivity(&shell));
         let judge = Judge::new(Cow::Borrowed(&mesh), 0.0);
+        let suspect = Suspect::default();
         for _ in 0..120 {
             let v = random.below(state.pillars.len());
             let size = [0.02, 0.1, 0.3][random.below(3)];
@@ -227,6 +228,11 @@ fn judge_agrees_with_the_certifier_on_random_moves() {
             let admitted = judge.admits(&state, &change);
             let faults = refuted(&after.shell(), &mesh);
             assert_eq!(admitted, faults.is_empty(), "vertex {v}, {pillar:?}: {faults:?}");
+            assert_eq!(
+                judge.admits_one_of_many(&state, &change, &suspect),
+                admitted,
+                "vertex {v}, {pillar:?}"
+            );
             seen[usize::from(admitted)] += 1;
         }
     }
