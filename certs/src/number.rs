@@ -13,16 +13,26 @@ pub(crate) fn sgn(x: &BigInt) -> i32 {
     i32::from(x.is_positive()) - i32::from(x.is_negative())
 }
 
-/// The finite double with this [`key`] as `mantissa * 2^exponent` with an odd mantissa, or `(0, 0)`.
-pub(crate) fn decode(key: i64) -> (i64, i64) {
+/// The finite double with this [`key`] as `mantissa * 2^exponent` with a mantissa of at most 53 bits.
+fn split(key: i64) -> (i64, i64) {
     let (raw, fraction) = (key.abs() >> 52, key.abs() & ((1 << 52) - 1));
     let (mantissa, exponent) = if raw == 0 { (fraction, -1074) } else { (fraction | 1 << 52, raw - 1075) };
-    if mantissa == 0 {
-        return (0, 0);
-    }
+    (if key < 0 { -mantissa } else { mantissa }, exponent)
+}
+
+/// The same with an odd mantissa, or `(0, 0)`.
+pub(crate) fn decode(key: i64) -> (i64, i64) {
+    let (mantissa, exponent) = split(key);
     let zeros = mantissa.trailing_zeros();
-    let odd = mantissa >> zeros;
-    (if key < 0 { -odd } else { odd }, exponent + i64::from(zeros))
+    if mantissa == 0 { (0, 0) } else { (mantissa >> zeros, exponent + i64::from(zeros)) }
+}
+
+/// A double of less than `2^top` in absolute value, divided by `2^(top - bits)` and rounded down: at most `2^bits` in
+/// absolute value, and exact if no bit is lost. There are at most 80 bits.
+pub(crate) fn leading_bits(key: i64, top: i64, bits: i64) -> i128 {
+    let (mantissa, exponent) = split(key);
+    let shift = exponent - top + bits;
+    if shift < 0 { i128::from(mantissa) >> (-shift).min(127) } else { i128::from(mantissa) << shift }
 }
 
 /// An integer that orders finite doubles as their values do, equal exactly for equal values (`-0` and `0` too).
@@ -54,23 +64,26 @@ pub(crate) fn leading<'a>(numbers: impl Iterator<Item = &'a BigInt> + Clone) -> 
     numbers.map(move |x| i128::try_from(scaled(x)).unwrap_or(i128::MAX))
 }
 
-/// The sign of the determinant of three rows, each entry known as an integer of at most `2^81` in absolute value with an
-/// error below 2, or exactly; `None` if that does not decide it.
+/// The sign of the determinant of three rows, each entry known as an integer of at most `2^41` in absolute value with an
+/// error below 2; `None` if that does not decide it.
 ///
 /// A product `x y z` with entries of at most `m` has an error below `(m+2)^3 - m^3 = 6m^2 + 12m + 8`, the six of the
-/// determinant together one below `48 (m+1)^2`. Leading bits of the entries come first: theirs are at most `2^41`, again
-/// with errors below 2. The largest intermediate sums are at most `6 * 2^123 < 2^127` and `6 * 2^243 < 2^255`.
+/// determinant together one below `48 (m+1)^2`. The largest intermediate sums are at most `6 * 2^123 < 2^127`.
+pub(crate) fn sign_short(rows: &[Vec3<i64>; 3]) -> Option<i32> {
+    let det = determinant(rows.map(|row| row.map(i128::from)));
+    let m = i128::from(rows.iter().flatten().map(|x| x.abs()).max().unwrap_or(0)) + 1;
+    (det.abs() >= 48 * m * m).then(|| det.signum() as i32)
+}
+
+/// The same with entries of at most `2^81`, which may be known exactly. Their leading bits come first: those are at most
+/// `2^41`, again with errors below 2. The largest intermediate sums are at most `6 * 2^243 < 2^255`.
 pub(crate) fn sign_near(rows: &[Vec3<i128>; 3], exact: bool) -> Option<i32> {
-    let largest = rows.iter().flatten().copied().map(i128::abs).max().unwrap_or(0);
-    let short = determinant(rows.map(|row| row.map(|x| x >> 40)));
-    // Rounding down may add one to the absolute value.
-    let m = (largest >> 40) + 2;
-    if short.abs() >= 48 * m * m {
-        return Some(short.signum() as i32);
-    }
-    let long = determinant(rows.map(|row| row.map(I256::from)));
-    let m = I256::from(largest + 1);
-    (exact || long.abs() >= m * m * 48).then(|| long.signum().as_i32())
+    let long = || {
+        let det = determinant(rows.map(|row| row.map(I256::from)));
+        let m = I256::from(rows.iter().flatten().map(|x| x.abs()).max().unwrap_or(0) + 1);
+        (exact || det.abs() >= m * m * 48).then(|| det.signum().as_i32())
+    };
+    sign_short(&rows.map(|row| row.map(|x| (x >> 40) as i64))).or_else(long)
 }
 
 fn determinant<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>>([a, b, c]: [Vec3<T>; 3]) -> T {

@@ -2,151 +2,379 @@
 
 use crate::complex::{distinct, sides};
 use crate::number::{Vec3, cross, det, dot, leading, sgn, sign_near};
+use crate::pages::Rows;
 use crate::parse::Overlay as Facts;
 use crate::tets::Selected;
 use crate::world::World;
-use crate::{Res, Set, all};
+use crate::{Fail, Res, Set, all, each, orders};
 use num_bigint::BigInt;
+use rayon::prelude::*;
 use std::iter::Sum;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
 
-/// Barycentric coordinates times a positive number: of which vertices, exactly, leading bits.
+/// Barycentric coordinates times a positive number: of which vertices (at most four), leading bits, exactly.
 struct Weights {
-    ids: Vec<usize>,
+    ids: [usize; 4],
+    near: [i128; 4],
     exact: Vec<BigInt>,
-    near: Vec<i128>,
 }
 
-/// A vertex of `K`.
-struct Corner<'a> {
-    names: &'a [usize],
-    /// On the vertices of the mesh; on those of the shell, where names of one vertex each have their own weight.
-    weights: [Weights; 2],
-}
+/// A vertex of `K`: its coordinates on the vertices of the mesh, and on those of the shell, where names of one vertex each
+/// have their own weight.
+type Corner = [Weights; 2];
 
-/// A cell, the triangle of `T` that it lies in and the prism.
-pub(crate) struct Cell<'a> {
+/// A cell: its line, its corners' places in the shard, the triangle of `T` and the prism, and the corners of both.
+pub(crate) struct Cell {
     pub(crate) line: usize,
-    corners: &'a [usize],
+    corners: Vec<usize>,
     pub(crate) home: [usize; 2],
-    /// The corners of both.
     within: [[usize; 3]; 2],
 }
 
-/// A checked overlay.
-pub(crate) struct Overlay<'a> {
-    corners: Vec<Corner<'a>>,
-    pub(crate) cells: Vec<Cell<'a>>,
-    /// The edges of `K` without their reverse: a cell's line, the vertex ids of the ends' names, the names.
-    pub(crate) boundary: Vec<Rim>,
-}
-
+/// The edges of `K` without their reverse: a `v` line, the vertex ids of the ends' names, the names.
 type Rim = (usize, Vec<usize>, Vec<usize>);
 
+/// A checked overlay. It is not kept: cells are made from the certificate's lines, a shard at a time.
+pub(crate) struct Overlay<'a> {
+    world: &'a World,
+    selected: &'a Selected<'a>,
+    facts: &'a Facts<'a>,
+    pub(crate) boundary: Vec<Rim>,
+    /// The first cell that is against `section-all-orders`, if that was asked for.
+    pub(crate) against: Option<Fail>,
+}
+
+/// Cells that follow each other, and the `v` lines at their corners.
+pub(crate) struct Shard<'a> {
+    overlay: &'a Overlay<'a>,
+    first: usize,
+    cells: Rows,
+    /// The numbers of the `v` lines, ascending; their mesh vertices and names.
+    corners: Vec<usize>,
+    carriers: [Rows; 2],
+}
+
+/// What is known of all cells when each has been checked.
+struct Tally {
+    /// The `v` lines that are corners of cells.
+    used: Vec<AtomicBool>,
+    /// How many directed edges there are, and whether one is in a cap.
+    edges: AtomicUsize,
+    caps: AtomicBool,
+    /// Whether cells are asked about all orders, too, and the first one that fails.
+    all_orders: bool,
+    against: Mutex<Option<(usize, Fail)>>,
+}
+
+/// As many edges are compared in one pass.
+const EDGES: usize = 1 << 24;
+
+/// An edge between two corners, the smaller one first, and its direction.
+type Edge = (u32, u32);
+
 impl<'a> Overlay<'a> {
-    pub(crate) fn check(world: &World, selected: &Selected<'_>, facts: &'a Facts) -> Res<Self> {
+    /// With `all_orders`, the cells' part of FORMAT section 3.3 is decided on the way.
+    pub(crate) fn check(
+        world: &'a World,
+        selected: &'a Selected<'a>,
+        facts: &'a Facts<'a>,
+        all_orders: bool,
+    ) -> Res<Self> {
         ensure!(selected.positive(), "not-positive", "a tet of the order");
-        let corners = all(facts.ids.len(), |i| {
-            let (line, ids, names) = (facts.ids.line(i), facts.ids.of(i), facts.names.of(i));
-            ensure!(world.mesh.holding(ids).next().is_some(), "mesh-carrier", "line {line}");
-            ensure!(selected.holding(names).next().is_some(), "shell-carrier", "line {line}");
-            ensure!(!world.in_cap(&[names]), "cap", "line {line}");
-            meet(world, line, ids, names)
-        })?;
-        let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
-        overlay.cells = all(facts.cells.len(), |i| overlay.cell(world, selected, facts, i))?;
-        overlay.boundary = overlay.check_edges(world)?;
-        let mut used = vec![false; overlay.corners.len()];
-        overlay.cells.iter().flat_map(|c| c.corners).for_each(|&x| used[x] = true);
-        ensure!(!used.contains(&false), "isolated", "a `v` line is in no cell");
-        overlay.check_degree(world, facts)?;
+        let mut overlay = Self { world, selected, facts, boundary: Vec::new(), against: None };
+        let used = (0..facts.corners.len()).map(|_| AtomicBool::new(false)).collect();
+        let (edges, caps, against) = Default::default();
+        let tally = Tally { used, edges, caps, all_orders, against };
+        let cells = overlay.check_cells(&tally);
+        let all_used = tally.used.iter().all(|used| used.load(Relaxed));
+        // A line in some cell has been checked there. Its error comes before all others, in the order of the lines.
+        if cells.is_err() || !all_used {
+            let page = |at: usize| at * 64..facts.corners.len().min((at + 1) * 64);
+            each(facts.corners.len().div_ceil(64), |at| {
+                overlay.corners(page(at).collect())?.all().map(drop)
+            })?;
+        }
+        let beside = cells?;
+        overlay.boundary = overlay.check_edges(&tally)?;
+        ensure!(all_used, "isolated", "a `v` line is in no cell");
+        overlay.check_degree(beside)?;
+        let against = tally.against.into_inner().unwrap_or_else(PoisonError::into_inner);
+        overlay.against = against.map(|(_, fail)| fail);
         Ok(overlay)
     }
 
-    fn cell(&self, world: &World, selected: &Selected<'_>, facts: &'a Facts, i: usize) -> Res<Cell<'a>> {
-        let (line, corners) = (facts.cells.line(i), facts.cells.of(i));
-        let ids =
-            |side: usize| distinct(corners.iter().flat_map(|&x| &self.corners[x].weights[side].ids).copied());
-        let names = distinct(corners.iter().flat_map(|&x| self.corners[x].names).copied());
-        let [triangle, prism] = [world.mesh.with_corners(&ids(0)), world.shell.with_corners(&ids(1))];
-        let triangle = triangle.ok_or_else(|| bad!("cell-mesh", "line {line}: not one triangle"))?;
-        let prism = prism.filter(|_| selected.holding(&names).next().is_some());
-        let prism = prism.ok_or_else(|| bad!("cell-shell", "line {line}: not one tet that fills a prism"))?;
-        let within = [world.mesh.triangles[triangle], world.shell.triangles[prism]];
-        let cell = Cell { line, corners, home: [triangle, prism], within };
-        for (i, fan) in fans(corners).enumerate() {
-            for (side, code) in [(0, "area-mesh"), (1, "area-middle")] {
-                let weights = fan.map(|x| &self.corners[x].weights[side]);
-                let near = weights.map(|w| w.row(cell.within[side], &w.near));
-                let exact = || sgn(&det(&self.rows(side, &cell, fan)));
-                let sign = sign_near(&near, false).unwrap_or_else(exact);
-                ensure!(sign > 0, code, "line {line}: fan triangle {i}");
+    /// How many shards the cells are in.
+    pub(crate) fn shards(&self) -> usize {
+        self.facts.cells.len().div_ceil(self.size())
+    }
+
+    fn size(&self) -> usize {
+        (self.facts.cells.len() / (8 * rayon::current_num_threads())).clamp(64, 1 << 15)
+    }
+
+    fn range(&self, shard: usize) -> Range<usize> {
+        shard * self.size()..self.facts.cells.len().min((shard + 1) * self.size())
+    }
+
+    pub(crate) fn shard(&self, shard: usize) -> Res<Shard<'_>> {
+        self.part(self.range(shard))
+    }
+
+    fn part(&self, cells: Range<usize>) -> Res<Shard<'_>> {
+        let (first, cells) = (cells.start, self.facts.cells.cells(cells)?);
+        let shard = self.corners(distinct(cells.items().iter().copied()))?;
+        Ok(Shard { first, cells, ..shard })
+    }
+
+    /// These `v` lines, ascending, without cells.
+    fn corners(&self, corners: Vec<usize>) -> Res<Shard<'_>> {
+        let carriers = self.facts.corners.carriers(&corners)?;
+        Ok(Shard { overlay: self, first: 0, cells: Rows::default(), corners, carriers })
+    }
+
+    /// Checks every cell and the `v` lines at its corners. Those in a triangle or a prism that has a cell of a `d` line: the
+    /// side, the triangle or prism, the cell; ascending.
+    fn check_cells(&self, tally: &Tally) -> Res<Vec<(usize, usize, usize)>> {
+        let home = |d: &(usize, usize, usize)| Some(self.part(d.1..d.1 + 1).ok()?.cell(0).ok()?.home);
+        let named = self.facts.degree.each_ref().map(|lines| lines.iter().filter_map(home));
+        let [first, second] = named;
+        let named: [Set<usize>; 2] = [first.map(|h| h[0]).collect(), second.map(|h| h[1]).collect()];
+        let beside = all(self.shards(), |at| {
+            let (shard, mut beside) = (self.shard(at)?, Vec::new());
+            let corners = shard.all()?;
+            shard.corners.iter().for_each(|&x| tally.used[x].store(true, Relaxed));
+            for i in 0..shard.len() {
+                let cell = shard.cell(i)?;
+                shard.check(&cell, &corners)?;
+                let edges = || fans(&cell.corners).flat_map(sides);
+                tally.edges.fetch_add(edges().count(), Relaxed);
+                if edges().any(|edge| shard.in_cap(edge)) {
+                    tally.caps.store(true, Relaxed);
+                }
+                let fans = || triangles(&cell, |at| corners[at][0].row_of(cell.within[0]));
+                if tally.all_orders
+                    && let Err(fail) = orders::check_cell(self.world, &cell, fans)
+                {
+                    tally.fails(shard.first + i, fail);
+                }
+                let sides = [0, 1].into_iter().filter(|&side| named[side].contains(&cell.home[side]));
+                beside.extend(sides.map(|side| (side, cell.home[side], shard.first + i)));
+            }
+            Ok(beside)
+        })?;
+        let mut beside = beside.concat();
+        beside.sort_unstable();
+        Ok(beside)
+    }
+
+    /// Edges of a cell as they are compared.
+    fn edges(corners: &[usize]) -> impl Iterator<Item = Edge> {
+        let edge = |(a, b): (usize, usize)| (a.min(b) as u32, 2 * a.max(b) as u32 + u32::from(a > b));
+        fans(corners).flat_map(sides).map(edge)
+    }
+
+    fn check_edges(&self, tally: &Tally) -> Res<Vec<Rim>> {
+        let (count, caps) = (tally.edges.load(Relaxed), tally.caps.load(Relaxed));
+        let passes = count.div_ceil(EDGES).max(1);
+        let (mut twice, mut open) = (Set::default(), Vec::new());
+        for pass in 0..passes {
+            let edges = self.edges_of(pass, passes)?;
+            for same in edges.chunk_by(|x, y| (x.0, x.1 / 2) == (y.0, y.1 / 2)) {
+                twice.extend(same.windows(2).filter(|w| w[0] == w[1]).map(|w| w[0]));
+                ensure!(caps || twice.is_empty(), "edge-twice", "corners {} {}", same[0].0, same[0].1 / 2);
+                open.extend((same.len() == 1).then_some(same[0]));
             }
         }
-        Ok(cell)
-    }
-
-    /// The coordinates of three corners in a cell's triangle or prism.
-    fn rows(&self, side: usize, cell: &Cell<'_>, fan: [usize; 3]) -> [Vec3; 3] {
-        fan.map(|x| &self.corners[x].weights[side]).map(|w| w.row(cell.within[side], &w.exact))
-    }
-
-    /// The fan triangles of a cell as coordinates in its mesh triangle.
-    pub(crate) fn pieces(&self, cell: &Cell<'_>) -> Vec<Vec<Vec3>> {
-        fans(cell.corners).map(|fan| self.rows(0, cell, fan).to_vec()).collect()
-    }
-
-    fn check_edges(&self, world: &World) -> Res<Vec<Rim>> {
-        let directed =
-            || self.cells.iter().flat_map(|c| fans(c.corners).flat_map(sides).map(|e| (c.line, e)));
-        // Half as long as pairs of `usize`.
-        let short = |(a, b): (usize, usize)| (a as u32, b as u32);
-        let mut edges = Set::default();
-        for (line, edge) in directed() {
-            ensure!(edges.insert(short(edge)), "edge-twice", "line {line}: corners {edge:?}");
-            let names = [edge.0, edge.1].map(|x| self.corners[x].names);
-            ensure!(!world.in_cap(&names), "cap", "line {line}: corners {edge:?}");
+        if caps {
+            return Err(self.first_bad(&twice));
         }
-        let mut boundary = Vec::new();
-        for (line, (a, b)) in directed().filter(|&(_, (a, b))| !edges.contains(&short((b, a)))) {
-            let ends = [a, b].map(|x| &self.corners[x]);
-            let [on_mesh, ids] =
-                [0, 1].map(|side| distinct(ends.map(|c| c.weights[side].ids.clone()).concat()));
-            let on_both = world.mesh.on_boundary(on_mesh) && world.shell.on_boundary(ids.iter().copied());
-            ensure!(on_both, "boundary", "line {line}: corners {a} {b}");
-            boundary.push((line, ids, ends.map(|c| c.names).concat()));
-        }
-        Ok(boundary)
+        let parts =
+            all(open.len().div_ceil(64), |at| self.rim(&open[at * 64..open.len().min((at + 1) * 64)]))?;
+        Ok(parts.into_iter().flatten().collect())
     }
 
-    fn check_degree(&self, world: &World, facts: &Facts) -> Res {
+    /// The edges of one of the passes, in ascending order. An edge and its reverse are in the same one.
+    fn edges_of(&self, pass: usize, passes: usize) -> Res<Vec<Edge>> {
+        let found = Mutex::new(Vec::new());
+        // The corners take turns: cells that follow each other have corners that do.
+        let mine = |edge: &Edge| edge.0 as usize % passes == pass;
+        each(self.shards(), |at| {
+            let cells = self.facts.cells.cells(self.range(at))?;
+            let edges: Vec<Edge> =
+                (0..cells.len()).flat_map(|i| Self::edges(cells.of(i))).filter(mine).collect();
+            found.lock().unwrap_or_else(PoisonError::into_inner).extend(edges);
+            Ok(())
+        })?;
+        let mut edges = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        edges.par_sort_unstable();
+        Ok(edges)
+    }
+
+    /// The error of the first edge that is in a cap, or is one of those that occur twice and has occurred.
+    fn first_bad(&self, twice: &Set<Edge>) -> Fail {
+        let mut seen = Set::default();
+        let mut search = |at: usize| {
+            let shard = self.shard(at)?;
+            for i in 0..shard.len() {
+                let line = self.facts.cells.number(shard.first + i);
+                for edge in Self::edges(shard.cells.of(i)) {
+                    ensure!(!twice.contains(&edge) || seen.insert(edge), "edge-twice", "line {line}");
+                    let ends = [edge.0, edge.1 / 2].map(|x| shard.place(x as usize));
+                    ensure!(!shard.in_cap((ends[0], ends[1])), "cap", "line {line}: an edge");
+                }
+            }
+            Ok(())
+        };
+        (0..self.shards()).find_map(|at| search(at).err()).unwrap_or_else(|| bad!("cap", "an edge"))
+    }
+
+    /// What is asked of edges without their reverse, but for section 3.3.
+    fn rim(&self, open: &[Edge]) -> Res<Vec<Rim>> {
+        let ends = open.iter().map(|edge| [edge.0 as usize, edge.1 as usize / 2]);
+        let shard = self.corners(distinct(ends.clone().flatten()))?;
+        let rim = |[a, b]: [usize; 2]| {
+            let [a_at, b_at] = [a, b].map(|x| shard.place(x));
+            let [on_mesh, names] =
+                [0, 1].map(|side| [shard.carriers[side].of(a_at), shard.carriers[side].of(b_at)].concat());
+            let ids = distinct(names.iter().map(|n| n / 3));
+            let on_both =
+                self.world.mesh.on_boundary(on_mesh) && self.world.shell.on_boundary(ids.iter().copied());
+            let line = self.facts.corners.number(a);
+            ensure!(on_both, "boundary", "line {line}: the edge from here to corner {b}");
+            Ok((line, ids, names))
+        };
+        ends.map(rim).collect()
+    }
+
+    fn check_degree(&self, beside: Vec<(usize, usize, usize)>) -> Res {
+        let part = |cell: usize| self.part(cell..cell + 1);
         for side in [0, 1] {
-            let complex = [&world.mesh, &world.shell][side];
-            let named = facts.degree[side].iter().map(|d| complex.part[self.cells[d.1].home[side]]);
-            ensure!(named.eq(0..complex.parts), "degree-component", "not one `d` line a component");
+            let complex = [&self.world.mesh, &self.world.shell][side];
+            let home = |d: &(usize, usize, usize)| Ok(complex.part(part(d.1)?.cell(0)?.home[side]));
+            let named = self.facts.degree[side].iter().map(home).collect::<Res<Vec<_>>>()?;
+            ensure!(
+                named.into_iter().eq(0..complex.parts()),
+                "degree-component",
+                "not one `d` line a component"
+            );
         }
         for side in [0, 1] {
-            let mut cells: Vec<&Cell<'_>> = self.cells.iter().collect();
-            cells.sort_unstable_by_key(|c| c.home[side]);
-            for &(line, named, fan) in &facts.degree[side] {
-                let named = &self.cells[named];
-                let triangle = fans(named.corners).nth(fan).ok_or_else(|| bad!("degree", "line {line}"))?;
-                let [a, b, c] = triangle.map(|x| self.corners[x].weights[side].exact.iter().sum::<BigInt>());
-                let (rows, scales) = (self.rows(side, named, triangle), [&b * &c, &a * &c, &a * &b]);
+            for &(line, named, fan) in &self.facts.degree[side] {
+                let own = part(named)?;
+                let cell = own.cell(0)?;
+                let home = cell.home[side];
+                let triangle = own.triangles(side, &cell)?.into_iter().nth(fan);
+                let rows = triangle.ok_or_else(|| bad!("degree", "line {line}"))?;
+                let [a, b, c] = rows.each_ref().map(|row| row.iter().sum::<BigInt>());
+                let scales = [&b * &c, &a * &c, &a * &b];
                 let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &rows[j][i] * &scales[j]).sum());
-                let first = cells.partition_point(|c| c.home[side] < named.home[side]);
-                for other in cells[first..].iter().take_while(|c| c.home[side] == named.home[side]) {
-                    for (i, triangle) in fans(other.corners).enumerate() {
-                        let [a, b, c] = &self.rows(side, named, triangle);
+                let [from, to] = [home, home + 1].map(|h| beside.partition_point(|x| (x.0, x.1) < (side, h)));
+                for &(_, _, other) in &beside[from..to] {
+                    let shard = part(other)?;
+                    for (i, [a, b, c]) in shard.triangles(side, &shard.cell(0)?)?.iter().enumerate() {
                         let sides = [(a, b), (b, c), (c, a)];
                         let holds = sides.iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
-                        let itself = (other.line, i) == (named.line, fan);
-                        ensure!(itself || !holds, "degree", "line {line}: also in line {}", other.line);
+                        let itself = (other, i) == (named, fan);
+                        ensure!(itself || !holds, "degree", "line {line}: also in cell {other}");
                     }
                 }
             }
         }
         Ok(())
     }
+}
+
+impl Shard<'_> {
+    /// The number of cells.
+    pub(crate) fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Where a `v` line is in the shard.
+    fn place(&self, corner: usize) -> usize {
+        self.corners.binary_search(&corner).unwrap_or(0)
+    }
+
+    /// Whether the names of two corners together are in a cap.
+    fn in_cap(&self, (a, b): (usize, usize)) -> bool {
+        self.overlay.world.in_cap(&[self.carriers[1].of(a), self.carriers[1].of(b)])
+    }
+
+    /// The corners, checked.
+    fn all(&self) -> Res<Vec<Corner>> {
+        (0..self.corners.len()).map(|at| self.corner(at)).collect()
+    }
+
+    fn corner(&self, at: usize) -> Res<Corner> {
+        let Overlay { world, selected, facts, .. } = self.overlay;
+        let line = facts.corners.number(self.corners[at]);
+        let [ids, names] = self.carriers.each_ref().map(|rows| rows.of(at));
+        ensure!(world.mesh.holding(ids).next().is_some(), "mesh-carrier", "line {line}");
+        ensure!(selected.holding(names).next().is_some(), "shell-carrier", "line {line}");
+        ensure!(!world.in_cap(&[names]), "cap", "line {line}");
+        meet(world, line, ids, names)
+    }
+
+    pub(crate) fn cell(&self, i: usize) -> Res<Cell> {
+        let Overlay { world, facts, .. } = self.overlay;
+        let line = facts.cells.number(self.first + i);
+        let corners: Vec<usize> = self.cells.of(i).iter().map(|&x| self.place(x)).collect();
+        let ids = distinct(self.carried(&corners, 0));
+        let pillars = distinct(self.carried(&corners, 1).map(|n| n / 3));
+        let [triangle, prism] = [world.mesh.with_corners(&ids), world.shell.with_corners(&pillars)];
+        let triangle = triangle.ok_or_else(|| bad!("cell-mesh", "line {line}: not one triangle"))?;
+        let prism = prism.ok_or_else(|| bad!("cell-shell", "line {line}: not one prism"))?;
+        let within = [world.mesh.of(triangle), world.shell.of(prism)];
+        Ok(Cell { line, corners, home: [triangle, prism], within })
+    }
+
+    /// The mesh vertices, or the names, of some corners.
+    fn carried(&self, corners: &[usize], side: usize) -> impl Iterator<Item = usize> {
+        corners.iter().flat_map(move |&at| self.carriers[side].of(at)).copied()
+    }
+
+    /// Whether a cell lies in one tet, and the images of its fan triangles have positive areas in both.
+    fn check(&self, cell: &Cell, corners: &[Corner]) -> Res {
+        let names = distinct(self.carried(&cell.corners, 1));
+        let within = self.overlay.selected.holding(&names).next().is_some();
+        ensure!(within, "cell-shell", "line {}: not in one tet", cell.line);
+        self.areas(cell, corners)
+    }
+
+    fn areas(&self, cell: &Cell, corners: &[Corner]) -> Res {
+        for (i, fan) in fans(&cell.corners).enumerate() {
+            for (side, code) in [(0, "area-mesh"), (1, "area-middle")] {
+                let weights = fan.map(|at| &corners[at][side]);
+                let near = weights.map(|w| w.row(cell.within[side], &w.near));
+                let exact = || sgn(&det(&weights.map(|w| w.row_of(cell.within[side]))));
+                let sign = sign_near(&near, false).unwrap_or_else(exact);
+                ensure!(sign > 0, code, "line {}: fan triangle {i}", cell.line);
+            }
+        }
+        Ok(())
+    }
+
+    /// The fan triangles of a cell as coordinates in its mesh triangle or prism.
+    fn triangles(&self, side: usize, cell: &Cell) -> Res<Vec<[Vec3; 3]>> {
+        let corners = self.all()?;
+        Ok(triangles(cell, |at| corners[at][side].row_of(cell.within[side])))
+    }
+}
+
+impl Tally {
+    fn fails(&self, cell: usize, fail: Fail) {
+        let mut first = self.against.lock().unwrap_or_else(PoisonError::into_inner);
+        if first.as_ref().is_none_or(|(earlier, _)| cell < *earlier) {
+            *first = Some((cell, fail));
+        }
+    }
+}
+
+/// The fan triangles of a cell, with the coordinates that its corners have.
+fn triangles(cell: &Cell, row: impl Fn(usize) -> Vec3) -> Vec<[Vec3; 3]> {
+    fans(&cell.corners).map(|fan| fan.map(&row)).collect()
 }
 
 /// The triangles `(c0, ci, ci+1)` that a cell stands for.
@@ -156,7 +384,15 @@ fn fans(corners: &[usize]) -> impl Iterator<Item = [usize; 3]> {
 
 impl Weights {
     fn new(ids: impl Iterator<Item = usize>, exact: Vec<BigInt>) -> Self {
-        Self { ids: ids.collect(), near: leading(exact.iter()).collect(), exact }
+        let (mut all, mut near) = ([0; 4], [0; 4]);
+        all.iter_mut().zip(ids).for_each(|(to, id)| *to = id);
+        near.iter_mut().zip(leading(exact.iter())).for_each(|(to, x)| *to = x);
+        Self { ids: all, near, exact }
+    }
+
+    /// The exact coordinates on three vertices.
+    fn row_of(&self, corners: [usize; 3]) -> Vec3 {
+        self.row(corners, &self.exact)
     }
 
     /// Values, exact or near ones, summed by the corner that they are on. At most two of a sum are not zero.
@@ -167,7 +403,7 @@ impl Weights {
 }
 
 /// The one common point of the affine hulls, with positive coordinates in both carriers.
-fn meet<'a>(world: &World, line: usize, ids: &'a [usize], names: &'a [usize]) -> Res<Corner<'a>> {
+fn meet(world: &World, line: usize, ids: &[usize], names: &[usize]) -> Res<Corner> {
     let points: Vec<usize> = ids.iter().map(|g| world.base + g).chain(names.iter().copied()).collect();
     let mut on_mesh = dependence(world, &points).unwrap_or_default();
     let mut on_shell = on_mesh.split_off(ids.len().min(on_mesh.len()));
@@ -178,8 +414,7 @@ fn meet<'a>(world: &World, line: usize, ids: &'a [usize], names: &'a [usize]) ->
     let inside = on_mesh.iter().chain(&on_shell).all(|x| sgn(x) > 0);
     ensure!(inside, "outside-carrier", "line {line}: the point is not inside its carriers");
     let pillars = names.iter().map(|n| n / 3);
-    let weights = [Weights::new(ids.iter().copied(), on_mesh), Weights::new(pillars, on_shell)];
-    Ok(Corner { names, weights })
+    Ok([Weights::new(ids.iter().copied(), on_mesh), Weights::new(pillars, on_shell)])
 }
 
 /// The coefficients `c` with `sum c = 0` and `sum c x = 0`, when they are unique up to a factor. The differences to the
