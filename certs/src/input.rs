@@ -51,11 +51,11 @@ impl Files<'_> {
 /// Reads the one to four files; the mesh that an HDF5 shell holds is read only when it is needed.
 pub(crate) fn read(files: &Files<'_>, need_mesh: bool) -> Res<(Shell, Option<Mesh>)> {
     let wrong = |i: usize, why: String| bad("input", format!("input file {}: {why}", i + 1));
-    let named = |i: usize| mesh(&*files.get(i)?).map_err(|why| wrong(i, why));
+    let named = |i: usize| mesh(&files.get(i)?).map_err(|why| wrong(i, why));
     let both = match files.len() {
         1 | 2 => {
             let own = files.len() == 1 && need_mesh;
-            let (shell, own) = hdf5::shell(&*files.get(0)?, own).map_err(|why| wrong(0, why))?;
+            let (shell, own) = hdf5::shell(&files.get(0)?, own).map_err(|why| wrong(0, why))?;
             (shell, if files.len() == 2 { Some(named(1)?) } else { own })
         }
         3 | 4 => {

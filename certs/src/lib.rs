@@ -1,10 +1,11 @@
 //! The independent checker of homeo certificates: reads a certificate and the files that it is about, and verifies
 //! each claim exactly. The format, the rules and the error codes are in `FORMAT.md`; modules follow its sections.
 //!
-//! The *trusted core*, which decides whether a claim holds, is `number`, `complex`, `world`, `tets`, `boxes`, `overlay`,
-//! `orders`, `lift` and `separate`: under 960 lines of code (`tests/size.rs` counts them). Around it are the readers: `line`
-//! and `parse` (the grammar), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the two;
-//! `compose` puts two certificates together.
+//! The *trusted core*, which decides whether a claim holds, is `number`, `complex`, `world`, `tets`, `boxes`, `shard`,
+//! `overlay`, `orders`, `lift` and `separate`: under 1,260 lines of code (`tests/size.rs` counts them). Around it are the
+//! readers: `line` and `parse` (the grammar), `pages` (lines that are read again whenever they are needed, so that a long
+//! certificate need not be kept), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the
+//! two; `compose` puts two certificates together.
 //!
 //! Certificates about meshes without a shell (`MESHES.md`) have a core of their own in `meshes`.
 
@@ -32,8 +33,15 @@ mod overlay;
 mod pages;
 mod parse;
 mod separate;
+mod shard;
+#[cfg(test)]
+mod tests;
 mod tets;
 mod world;
+
+// The table of the corpus is read by tests within and without.
+#[cfg(test)]
+extern crate self as homeo_certs;
 
 use complex::Complex;
 use foldhash::fast::RandomState;
@@ -42,6 +50,7 @@ use pages::Text;
 use parse::{Block, Cert, TetFact};
 use rayon::prelude::*;
 use separate::Sets;
+use shard::Source;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -279,7 +288,8 @@ fn claims(cert: &Cert<'_>, world: &World) -> Res {
                 facts.iter().try_for_each(|fact| lift::not_positive(world, fact, tets(fact)))?;
             }
             (_, Some(Block::Overlay(facts))) => {
-                overlay = Some(overlay::Overlay::check(world, &selected, facts, all_orders)?);
+                overlay =
+                    Some(overlay::Overlay::check(Source { world, selected: &selected, facts }, all_orders)?);
             }
             (_, Some(Block::NoLift(first, witness))) => {
                 lift::check(world, &Selected::new(world, first, &order), witness)?;

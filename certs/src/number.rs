@@ -71,7 +71,7 @@ pub(crate) fn leading<'a>(numbers: impl Iterator<Item = &'a BigInt> + Clone) -> 
 /// determinant together one below `48 (m+1)^2`. The largest intermediate sums are at most `6 * 2^123 < 2^127`.
 pub(crate) fn sign_short(rows: &[Vec3<i64>; 3]) -> Option<i32> {
     let det = determinant(rows.map(|row| row.map(i128::from)));
-    let m = i128::from(rows.iter().flatten().map(|x| x.abs()).max().unwrap_or(0)) + 1;
+    let m = i128::from(rows.iter().flatten().map(Signed::abs).max().unwrap_or(0)) + 1;
     (det.abs() >= 48 * m * m).then(|| det.signum() as i32)
 }
 
@@ -80,7 +80,7 @@ pub(crate) fn sign_short(rows: &[Vec3<i64>; 3]) -> Option<i32> {
 pub(crate) fn sign_near(rows: &[Vec3<i128>; 3], exact: bool) -> Option<i32> {
     let long = || {
         let det = determinant(rows.map(|row| row.map(I256::from)));
-        let m = I256::from(rows.iter().flatten().map(|x| x.abs()).max().unwrap_or(0) + 1);
+        let m = I256::from(rows.iter().flatten().map(Signed::abs).max().unwrap_or(0) + 1);
         (exact || det.abs() >= m * m * 48).then(|| det.signum().as_i32())
     };
     sign_short(&rows.map(|row| row.map(|x| (x >> 40) as i64))).or_else(long)

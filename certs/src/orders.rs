@@ -1,7 +1,8 @@
 //! `section-all-orders` certified (FORMAT section 3.3).
 
 use crate::number::{Vec3, cross, dot, sgn};
-use crate::overlay::{Cell, Overlay};
+use crate::overlay::Overlay;
+use crate::shard::Cell;
 use crate::world::World;
 use crate::{Res, complex, tets};
 use num_bigint::BigInt;

@@ -47,7 +47,7 @@ impl<'a> Text<'a> {
 }
 
 /// So many lines are found by counting from the first of them.
-pub(crate) const PAGE: usize = 16;
+const PAGE: usize = if cfg!(test) { 2 } else { 16 };
 
 /// Lines of one kind that follow each other.
 pub(crate) struct Lines<'a> {
@@ -81,7 +81,7 @@ impl<'a> Lines<'a> {
             _ => self.starts.last_mut().into_iter().for_each(|last| *last = end),
         }
         self.len += 1;
-        if self.len % PAGE == 0 {
+        if self.len.is_multiple_of(PAGE) {
             self.close();
         }
     }
@@ -122,10 +122,6 @@ impl<'a> Lines<'a> {
         lines.filter(|(i, _)| range.contains(i)).try_for_each(|(i, line)| read(i, line))
     }
 
-    fn line<'b>(&self, i: usize, text: &'b str) -> Line<'b> {
-        Line::new(text, self.first + i, self.bounds)
-    }
-
     /// `malformed duplicate` at the first line that is equal to an earlier one. The hashes of all of them are given; what
     /// fits the grammar is written in one way only.
     pub(crate) fn different(&self, hasher: &RandomState, mut hashes: Vec<u64>) -> Res {
@@ -148,24 +144,30 @@ impl<'a> Lines<'a> {
         })
     }
 
-    /// The corners of some cells that follow each other.
-    pub(crate) fn cells(&self, range: Range<usize>) -> Res<Rows> {
+    /// Reads these lines, ascending.
+    fn pick(&self, wanted: &[usize], mut read: impl FnMut(&Line<'_>) -> Res) -> Res {
+        let mut next = wanted.iter().peekable();
+        // Those in pages side by side are read together.
+        for near in wanted.chunk_by(|a, b| b / PAGE <= a / PAGE + 1) {
+            self.each(near[0]..near[near.len() - 1] + 1, |i, text| {
+                let wanted = next.next_if_eq(&&i).is_some();
+                if wanted { read(&Line::new(text, self.first + i, self.bounds)) } else { Ok(()) }
+            })?;
+        }
+        Ok(())
+    }
+
+    /// The corners of these `c` lines, ascending.
+    pub(crate) fn cells(&self, wanted: &[usize]) -> Res<Rows> {
         let mut rows = Rows::default();
-        self.each(range, |i, text| cell(&self.line(i, text), &mut rows))?;
+        self.pick(wanted, |line| cell(line, &mut rows))?;
         Ok(rows)
     }
 
     /// The mesh vertices and the names of these `v` lines, ascending.
     pub(crate) fn carriers(&self, wanted: &[usize]) -> Res<[Rows; 2]> {
         let mut rows = <[Rows; 2]>::default();
-        let mut next = wanted.iter().peekable();
-        // Those in pages side by side are read together.
-        for near in wanted.chunk_by(|a, b| b / PAGE <= a / PAGE + 1) {
-            self.each(near[0]..near[near.len() - 1] + 1, |i, text| {
-                let wanted = next.next_if_eq(&&i).is_some();
-                if wanted { carrier(&self.line(i, text), &mut rows) } else { Ok(()) }
-            })?;
-        }
+        self.pick(wanted, |line| carrier(line, &mut rows))?;
         Ok(rows)
     }
 }
@@ -235,8 +237,8 @@ pub(crate) struct Separations<'a> {
     pub(crate) lines: Lines<'a>,
     /// The block's name.
     pub(crate) block: &'static str,
-    /// The first number of each page's first line.
-    pub(crate) firsts: Vec<usize>,
+    /// The first number of each line, or the greatest that there is room for.
+    pub(crate) firsts: Vec<u32>,
     /// The greatest second number.
     pub(crate) greatest: Option<usize>,
 }
@@ -244,15 +246,15 @@ pub(crate) struct Separations<'a> {
 impl Separations<'_> {
     /// The lines with a first number in this range.
     pub(crate) fn of(&self, range: Range<usize>) -> Res<Vec<Separation>> {
-        let [from, to] = [range.start, range.end].map(|i| self.firsts.partition_point(|&first| first < i));
-        let mut found = Vec::new();
-        // The page before may end with such lines.
-        let pages = from.saturating_sub(1) * PAGE..self.lines.len.min(to * PAGE);
-        self.lines.each(pages, |i, text| {
-            let line = separation(&self.lines.line(i, text), self.block, None)?;
-            found.extend(range.contains(&line.pair.0).then_some(line));
+        let place = |i: usize| self.firsts.partition_point(|&first| (first as usize) < i);
+        let (mut found, lines) = (Vec::new(), place(range.start)..place(range.end));
+        self.lines.pick(&lines.collect::<Vec<_>>(), |line| {
+            found.push(separation(line, self.block, None)?);
             Ok(())
         })?;
         Ok(found)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,7 @@
 //! The certificate's grammar (FORMAT section 2) and the checks of a certificate file alone (section 3).
 
 use crate::line::{Bounds, Line, Names4, Plane, Value, weights};
-use crate::pages::{Lines, PAGE, Rows, Separations, Text, carrier, cell};
+use crate::pages::{Lines, Rows, Separations, Text, carrier, cell};
 use crate::{Fail, LIMIT, Res, fail, malformed};
 use foldhash::fast::RandomState;
 use num_bigint::BigInt;
@@ -45,7 +45,7 @@ pub(crate) struct Cert<'a> {
 
 pub(crate) enum Block<'a> {
     Positivity(Vec<TetFact>),
-    Overlay(Overlay<'a>),
+    Overlay(Box<Overlay<'a>>),
     /// The ids of the `first` line (none in `no-section`).
     NoLift(Vec<usize>, Witness),
     Separated(Separations<'a>),
@@ -134,7 +134,7 @@ pub(crate) struct Parser<'a> {
 }
 
 /// As many bytes of a file are read together.
-const WINDOW: usize = 1 << 18;
+const WINDOW: usize = if cfg!(test) { 7 } else { 1 << 18 };
 
 /// Reads and judges a certificate file.
 pub(crate) fn parse(text: Text<'_>) -> Res<Cert<'_>> {
@@ -358,7 +358,7 @@ impl<'a> Parser<'a> {
     fn block(&mut self, name: &'static str, certified: bool) -> Res<Block<'a>> {
         Ok(match name {
             "positivity" => Block::Positivity(self.list("tet", false, tet_fact)?),
-            "overlay" => Block::Overlay(self.overlay()?),
+            "overlay" => Block::Overlay(Box::new(self.overlay()?)),
             "no-section" => Block::NoLift(Vec::new(), self.witness()?),
             "no-order" => {
                 let line = self.line("first")?;
@@ -395,14 +395,12 @@ impl<'a> Parser<'a> {
     }
 
     fn separations(&mut self, name: &'static str) -> Res<Separations<'a>> {
-        let (mut last, mut firsts, mut greatest, mut count) = (None, Vec::new(), None, 0);
+        let (mut last, mut firsts, mut greatest) = (None, Vec::new(), None);
         let (lines, result) = self.pages(separator(name), true, |line| {
             let found = separation(line, name, last)?;
             last = Some((found.pair, found.tet));
-            if count % PAGE == 0 {
-                firsts.push(found.pair.0);
-            }
-            count += 1;
+            // Triangles are fewer than 2^32.
+            firsts.push(u32::try_from(found.pair.0).unwrap_or(u32::MAX));
             greatest = greatest.max(Some(found.pair.1));
             Ok(())
         });
@@ -422,9 +420,13 @@ impl<'a> Parser<'a> {
         corners.different(&hasher, hashes)?;
         result?;
         self.bounds.corners = corners.len();
+        // How many fan triangles each cell has.
+        let mut sizes = Vec::new();
         let (cells, result) = self.pages("c", false, |line| {
             rows[0].clear();
-            cell(line, &mut rows[0])
+            cell(line, &mut rows[0])?;
+            sizes.push(rows[0].items().len() as u32 - 2);
+            Ok(())
         });
         result?;
         let mut degree = [Vec::new(), Vec::new()];
@@ -436,8 +438,7 @@ impl<'a> Parser<'a> {
                 let line = self.line("d")?;
                 line.expect(kind)?;
                 let cell = line.id(cells.len())?;
-                let corners = if cell < cells.len() { cells.cells(cell..cell + 1)? } else { Rows::default() };
-                let fans = if cell < cells.len() { corners.of(0).len() - 2 } else { usize::MAX };
+                let fans = sizes.get(cell).map_or(usize::MAX, |&size| size as usize);
                 let fan = line.id(fans)?;
                 line.finish()?;
                 list.push((line.at, cell, fan));

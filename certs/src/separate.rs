@@ -143,7 +143,7 @@ pub(crate) fn disjoint(world: &World, sets: &Sets<'_>, lines: &Separations<'_>) 
 }
 
 /// First triangles whose lines are read together.
-const SHARD: usize = 64;
+const SHARD: usize = if cfg!(test) { 2 } else { 64 };
 
 /// The pairs of one first triangle: those whose boxes meet, and those that have lines.
 fn one(world: &World, sets: &Sets<'_>, i: usize, partners: Vec<usize>, lines: &[Separation]) -> Res {

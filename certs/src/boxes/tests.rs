@@ -29,7 +29,8 @@ fn finds_exactly_the_boxes_that_meet() {
 #[test]
 fn finds_them_among_more_than_are_kept() {
     let n = 2 * super::KEPT + 9;
-    let keys: Vec<[i64; 3]> = (0..n as i64).map(|i| [i * 7919 % 1009, i * 104_729 % 997, i % 89]).collect();
+    let keys: Vec<[i64; 3]> =
+        (0i64..).take(n).map(|i| [i * 7919 % 1009, i * 104_729 % 997, i % 89]).collect();
     let tree = Tree::new(n, |i| Aabb::of(&keys, &[i]));
     for i in (0..n).step_by(977) {
         let low = keys[i];
