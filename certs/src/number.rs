@@ -3,7 +3,7 @@
 use ethnum::I256;
 use num_bigint::BigInt;
 use num_traits::Signed;
-use std::ops::{Add, Mul, Sub};
+use std::ops::{Add, Mul, Neg, Sub};
 
 /// A vector or a point.
 pub(crate) type Vec3<T = BigInt> = [T; 3];
@@ -41,27 +41,59 @@ pub(crate) fn key(bits: u64) -> i64 {
     if bits >> 63 == 1 { -magnitude } else { magnitude }
 }
 
-pub(crate) fn cross(a: &Vec3, b: &Vec3) -> Vec3 {
+/// Integers of 256 bits, where they suffice, or of as many as it takes.
+pub(crate) trait Integer:
+    Clone + From<i8> + PartialOrd + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self>
+{
+    fn big(&self) -> BigInt;
+
+    /// The integers times a common power of two, rounded down: at most `2^80` in absolute value, and one of at least `2^79`.
+    fn leading(numbers: &[Self]) -> impl Iterator<Item = i128>;
+}
+
+impl Integer for I256 {
+    fn big(&self) -> BigInt {
+        BigInt::from_signed_bytes_le(&self.to_le_bytes())
+    }
+
+    fn leading(numbers: &[Self]) -> impl Iterator<Item = i128> {
+        let bits = numbers.iter().map(|x| 256 - x.abs().leading_zeros()).max().unwrap_or(0);
+        numbers.iter().map(move |x| if bits > 80 { x >> (bits - 80) } else { x << (80 - bits) }.as_i128())
+    }
+}
+
+impl Integer for BigInt {
+    fn big(&self) -> BigInt {
+        self.clone()
+    }
+
+    fn leading(numbers: &[Self]) -> impl Iterator<Item = i128> {
+        let bits = numbers.iter().map(BigInt::bits).max().unwrap_or(0);
+        let scaled = move |x: &BigInt| if bits > 80 { x >> (bits - 80) } else { x << (80 - bits) };
+        numbers.iter().map(move |x| i128::try_from(scaled(x)).unwrap_or(i128::MAX))
+    }
+}
+
+pub(crate) fn cross<T: Integer>(a: &Vec3<T>, b: &Vec3<T>) -> Vec3<T>
+where
+    for<'x> &'x T: Mul<&'x T, Output = T>,
+{
     std::array::from_fn(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         &a[j] * &b[k] - &a[k] * &b[j]
     })
 }
 
-pub(crate) fn dot(a: &Vec3, b: &Vec3) -> BigInt {
+pub(crate) fn dot<T: Integer>(a: &Vec3<T>, b: &Vec3<T>) -> T
+where
+    for<'x> &'x T: Mul<&'x T, Output = T>,
+{
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
 /// The determinant of three rows.
 pub(crate) fn det([a, b, c]: &[Vec3; 3]) -> BigInt {
     dot(&cross(a, b), c)
-}
-
-/// The integers times a common power of two, rounded down: at most `2^80` in absolute value, and one of at least `2^79`.
-pub(crate) fn leading<'a>(numbers: impl Iterator<Item = &'a BigInt> + Clone) -> impl Iterator<Item = i128> {
-    let bits = numbers.clone().map(BigInt::bits).max().unwrap_or(0);
-    let scaled = move |x: &BigInt| if bits > 80 { x >> (bits - 80) } else { x << (80 - bits) };
-    numbers.map(move |x| i128::try_from(scaled(x)).unwrap_or(i128::MAX))
 }
 
 /// The sign of the determinant of three rows, each entry known as an integer of at most `2^41` in absolute value with an

@@ -3,13 +3,15 @@
 
 use crate::Res;
 use crate::complex::distinct;
-use crate::number::{Vec3, cross, det, dot, leading, sgn, sign_near};
+use crate::number::{Integer, Vec3, cross, det, dot, sgn, sign_near};
 use crate::pages::Rows;
 use crate::parse::Overlay as Facts;
 use crate::tets::Selected;
 use crate::world::World;
+use ethnum::I256;
 use num_bigint::BigInt;
 use std::iter::Sum;
+use std::ops::Mul;
 
 /// All cells, and what they are checked against.
 #[derive(Clone, Copy)]
@@ -162,11 +164,11 @@ pub(crate) fn fans(corners: &[usize]) -> impl Iterator<Item = [usize; 3]> {
 }
 
 impl Weights {
-    fn new(ids: impl Iterator<Item = usize>, exact: Vec<BigInt>) -> Self {
+    fn new<T: Integer>(ids: impl Iterator<Item = usize>, exact: &[T]) -> Self {
         let (mut all, mut near) = ([0; 4], [0; 4]);
         all.iter_mut().zip(ids).for_each(|(to, id)| *to = id);
-        near.iter_mut().zip(leading(exact.iter())).for_each(|(to, x)| *to = x);
-        Self { ids: all, near, exact }
+        near.iter_mut().zip(T::leading(exact)).for_each(|(to, x)| *to = x);
+        Self { ids: all, near, exact: exact.iter().map(T::big).collect() }
     }
 
     /// The exact coordinates on three vertices.
@@ -184,34 +186,65 @@ impl Weights {
 /// The one common point of the affine hulls, with positive coordinates in both carriers.
 fn meet(world: &World, line: usize, ids: &[usize], names: &[usize]) -> Res<Corner> {
     let points: Vec<usize> = ids.iter().map(|g| world.base + g).chain(names.iter().copied()).collect();
-    let mut on_mesh = dependence(world, &points).unwrap_or_default();
-    let mut on_shell = on_mesh.split_off(ids.len().min(on_mesh.len()));
-    let sign = sgn(&on_mesh.iter().sum());
-    ensure!(sign != 0, "no-point", "line {line}: the carriers' hulls do not meet in one point");
-    on_mesh.iter_mut().for_each(|x| *x *= sign);
-    on_shell.iter_mut().for_each(|x| *x *= -sign);
-    let inside = on_mesh.iter().chain(&on_shell).all(|x| sgn(x) > 0);
-    ensure!(inside, "outside-carrier", "line {line}: the point is not inside its carriers");
-    let pillars = names.iter().map(|n| n / 3);
-    Ok([Weights::new(ids.iter().copied(), on_mesh), Weights::new(pillars, on_shell)])
+    let others = &points[1..];
+    let result = match world.is_narrow() {
+        // Differences below 2^81 give coefficients below 2^248.
+        true => weights(others, |x| world.narrow_offset([points[0], x]).map(I256::from), ids, names),
+        false => weights(others, |x| world.offset([points[0], x]), ids, names),
+    };
+    result.map_err(|code| match code {
+        "no-point" => bad!(code, "line {line}: the carriers' hulls do not meet in one point"),
+        _ => bad!(code, "line {line}: the point is not inside its carriers"),
+    })
 }
 
-/// The coefficients `c` with `sum c = 0` and `sum c x = 0`, when they are unique up to a factor. The differences to the
-/// first point are completed with axes to four vectors: where these have one dependence only, each of its coefficients
-/// is a minor. It is that of the differences if it has no axis.
-fn dependence(world: &World, points: &[usize]) -> Option<Vec<BigInt>> {
-    let (&origin, others) = points.split_first()?;
-    let missing = 4usize.checked_sub(others.len())?;
-    let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|axis| axis.map(BigInt::from));
-    let zero = |x: &BigInt| sgn(x) == 0;
+/// The corner at that point, or the code of what is wrong; the differences to the first mesh vertex are given.
+fn weights<T: Integer>(
+    others: &[usize],
+    offset: impl Fn(usize) -> Vec3<T>,
+    ids: &[usize],
+    names: &[usize],
+) -> Result<Corner, &'static str>
+where
+    for<'x> &'x T: Mul<&'x T, Output = T>,
+{
+    let zero = || T::from(0);
+    let offsets: Vec<_> = others.iter().map(|&x| offset(x)).collect();
+    let all = dependence(&offsets).ok_or("no-point")?;
+    let (on_mesh, on_shell) = all.split_at(ids.len());
+    let sum = on_mesh.iter().fold(zero(), |sum, x| sum + x.clone());
+    let turned = |x: &T, turn: bool| if turn { -x.clone() } else { x.clone() };
+    let [on_mesh, on_shell]: [Vec<T>; 2] = [(on_mesh, sum < zero()), (on_shell, sum > zero())]
+        .map(|(part, turn)| part.iter().map(|x| turned(x, turn)).collect());
+    if sum == zero() {
+        return Err("no-point");
+    }
+    if !on_mesh.iter().chain(&on_shell).all(|x| *x > zero()) {
+        return Err("outside-carrier");
+    }
+    let pillars = names.iter().map(|n| n / 3);
+    Ok([Weights::new(ids.iter().copied(), &on_mesh), Weights::new(pillars, &on_shell)])
+}
+
+/// The coefficients `c` with `sum c = 0` and `sum c x = 0` of points whose differences to the first one are given, when
+/// they are unique up to a factor. The differences are completed with axes to four vectors: where these have one
+/// dependence only, each of its coefficients is a minor. It is that of the differences if it has no axis.
+fn dependence<T: Integer>(offsets: &[Vec3<T>]) -> Option<Vec<T>>
+where
+    for<'x> &'x T: Mul<&'x T, Output = T>,
+{
+    let count = offsets.len();
+    let missing = 4usize.checked_sub(count)?;
+    let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|axis: [i8; 3]| axis.map(T::from));
+    let zero = |x: &T| *x == T::from(0);
     let mut tail = (0..3).find_map(|first| {
-        let mut d: Vec<Vec3> = others.iter().map(|&p| world.offset([origin, p])).collect();
+        let mut d = offsets.to_vec();
         d.extend(axes.iter().cycle().skip(first).take(missing).cloned());
         let (front, back) = (cross(&d[0], &d[1]), cross(&d[2], &d[3]));
         let all = vec![dot(&d[1], &back), -dot(&d[0], &back), dot(&d[3], &front), -dot(&d[2], &front)];
-        (!all.iter().all(zero) && all[others.len()..].iter().all(zero)).then_some(all)
+        (!all.iter().all(zero) && all[count..].iter().all(zero)).then_some(all)
     })?;
-    tail.truncate(others.len());
-    let head = -tail.iter().sum::<BigInt>();
+    tail.truncate(count);
+    let head = -tail.iter().fold(T::from(0), |sum, x| sum + x.clone());
     Some(std::iter::once(head).chain(tail).collect())
 }

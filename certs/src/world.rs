@@ -68,14 +68,24 @@ impl World {
 
     /// `y - x`.
     pub(crate) fn offset(&self, [x, y]: [usize; 2]) -> Vec3 {
+        if self.bits <= 126 {
+            return self.narrow_offset([x, y]).map(BigInt::from);
+        }
+        std::array::from_fn(|i| self.integer(y, i) - self.integer(x, i))
+    }
+
+    /// The same, where all coordinates together have at most 126 bits.
+    pub(crate) fn narrow_offset(&self, [x, y]: [usize; 2]) -> Vec3<i128> {
         let short = |point: usize, axis: usize| match decode(self.keys[point][axis]) {
             (0, _) => 0,
             (mantissa, e) => i128::from(mantissa) << (e - self.exp),
         };
-        std::array::from_fn(|i| match self.bits <= 126 {
-            true => BigInt::from(short(y, i) - short(x, i)),
-            false => self.integer(y, i) - self.integer(x, i),
-        })
+        std::array::from_fn(|i| short(y, i) - short(x, i))
+    }
+
+    /// Whether they have at most 80 bits.
+    pub(crate) fn is_narrow(&self) -> bool {
+        self.bits <= 80
     }
 
     /// The determinant of three differences of points.
@@ -88,7 +98,7 @@ impl World {
         let short = |[x, y]: [usize; 2]| std::array::from_fn(|i| self.short[y][i] - self.short[x][i]);
         let bits = |point: usize, i: usize| leading_bits(self.keys[point][i], self.exp + self.bits, 80);
         let near = |[x, y]: [usize; 2]| std::array::from_fn(|i| bits(y, i) - bits(x, i));
-        let long = || sign_near(&rows.map(near), self.bits <= 80);
+        let long = || sign_near(&rows.map(near), self.is_narrow());
         sign_short(&rows.map(short)).or_else(long).unwrap_or_else(|| sgn(&self.det(rows)))
     }
 

@@ -20,7 +20,7 @@ fn the_trusted_core_is_small() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let lines = CORE.map(|name| (name, code_lines(&source.join(format!("{name}.rs")))));
     let total: usize = lines.iter().map(|l| l.1).sum();
-    assert!(total < 1260, "{total} lines: {lines:?}");
+    assert!(total < 1350, "{total} lines: {lines:?}");
 }
 
 /// The core of the certificates about meshes, as `meshes/mod.rs` says.
