@@ -33,7 +33,7 @@ struct Tally {
 }
 
 /// As many edges are compared in one pass.
-const EDGES: usize = if cfg!(test) { 8 } else { 1 << 24 };
+const EDGES: usize = if cfg!(test) { 8 } else { 1 << 23 };
 
 /// An edge between two corners, the smaller one first, and its direction.
 type Edge = (u32, u32);
@@ -118,7 +118,7 @@ impl<'a> Overlay<'a> {
         let passes = count.div_ceil(EDGES).max(1);
         let (mut twice, mut open) = (Set::default(), Vec::new());
         for pass in 0..passes {
-            let edges = self.edges_of(pass, passes)?;
+            let edges = self.edges_of(pass, passes, count)?;
             for same in edges.chunk_by(|x, y| (x.0, x.1 / 2) == (y.0, y.1 / 2)) {
                 twice.extend(same.windows(2).filter(|w| w[0] == w[1]).map(|w| w[0]));
                 ensure!(caps || twice.is_empty(), "edge-twice", "corners {} {}", same[0].0, same[0].1 / 2);
@@ -133,9 +133,11 @@ impl<'a> Overlay<'a> {
         Ok(parts.into_iter().flatten().collect())
     }
 
-    /// The edges of one of the passes, in ascending order. An edge and its reverse are in the same one.
-    fn edges_of(&self, pass: usize, passes: usize) -> Res<Vec<Edge>> {
-        let found = Mutex::new(Vec::new());
+    /// The edges of one of the passes, in ascending order; of all there are `count`. An edge and its reverse are in the
+    /// same pass.
+    fn edges_of(&self, pass: usize, passes: usize, count: usize) -> Res<Vec<Edge>> {
+        // A little more than its share: to grow a list takes twice its memory.
+        let found = Mutex::new(Vec::with_capacity(count / passes + count / passes / 16));
         // The corners take turns: cells that follow each other have corners that do.
         let mine = |edge: &Edge| edge.0 as usize % passes == pass;
         each(self.source.shards(), |at| {
