@@ -1,9 +1,9 @@
 //! Certifies one shell on one thread and prints the seconds of each claim and the peak memory: what to run a profiler
 //! on.
 //!
-//!     homeo-profile FILE.h5 | same:FREQUENCY | initial:FREQUENCY | simplified:FREQUENCY [check]
+//!     homeo-profile FILE.h5 | same:FREQUENCY | initial:FREQUENCY | simplified:FREQUENCY [check | write DIRECTORY]
 //!
-//! With `check` the checker runs after it, on the certificate and the meshes. Peaks are those of the process since the call,
+//! With `check` the checker runs after it, on the certificate and the meshes; `write` puts these into files for `homeo-check`. Peaks are those of the process since the call,
 //! with the input in memory; sizes of the input are those of its coordinates and indices.
 
 use std::error::Error;
@@ -54,6 +54,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         if let Some(mib) = peak_memory() {
             println!("check_peak_mib={mib:.1}");
         }
+    }
+    if let (Some("write"), Some(directory)) = (std::env::args().nth(2).as_deref(), std::env::args().nth(3)) {
+        let directory = Path::new(&directory);
+        let files = checker_inputs(&input)?;
+        for (name, bytes) in ["bottom.off", "middle.off", "top.off", "mesh.off"].iter().zip(&files) {
+            std::fs::write(directory.join(name), bytes)?;
+        }
+        std::fs::write(directory.join("certificate.cert"), &outcome.certificate)?;
     }
     Ok(())
 }

@@ -104,7 +104,13 @@ pub fn checker_inputs(input: &Generated) -> Result<Vec<Vec<u8>>, MeshError> {
 /// The largest resident memory of this process so far, in MiB; `None` where the system does not say.
 #[must_use]
 pub fn peak_memory() -> Option<f64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    peak_memory_of("self")
+}
+
+/// That of the process with this number.
+#[must_use]
+pub fn peak_memory_of(process: &str) -> Option<f64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
     line.trim().strip_suffix("kB")?.trim().parse::<f64>().ok().map(|kib| kib / 1024.0)
 }

@@ -1,28 +1,16 @@
 //! C5: two certificates on one shell and one vertex order together prove a homeomorphism from A to B (FORMAT section 7).
 //! Nothing geometric is decided here: each certificate is checked by itself.
 
-use crate::parse::{Cert, parse};
-use crate::{Fail, Res};
-use std::borrow::Cow;
+use crate::{Checked, Fail, Res};
 
-/// Checks a certificate by itself; the message of an error begins with its name.
-pub(crate) fn checked<'a>(
-    name: &str,
-    cert: Res<Cow<'a, [u8]>>,
-    inputs: impl FnOnce() -> Res<Cow<'a, [Vec<u8>]>>,
-) -> Res<Cert> {
-    let check = || {
-        let bytes = cert?;
-        let cert = parse(&bytes)?;
-        crate::run(&bytes, inputs)?;
-        Ok(cert)
-    };
-    check().map_err(|f: Fail| Fail { message: format!("{name}: {}", f.message), ..f })
+/// The message of an error begins with the certificate's name.
+pub(crate) fn named(name: &str, result: Res<Checked>) -> Res<Checked> {
+    result.map_err(|f: Fail| Fail { message: format!("{name}: {}", f.message), ..f })
 }
 
 /// Do certificates that were checked fit together?
-pub(crate) fn fits(a: &Cert, b: &Cert) -> Res<Vec<(&'static str, bool)>> {
-    ensure!(a.shell.sha == b.shell.sha, "shells", "the certificates are about different shells");
+pub(crate) fn fits(a: &Checked, b: &Checked) -> Res<Vec<(&'static str, bool)>> {
+    ensure!(a.shell == b.shell, "shells", "the certificates are about different shells");
     ensure!(a.order == b.order, "orders", "the certificates are about different vertex orders");
     for (name, cert) in [("A", a), ("B", b)] {
         ensure!(

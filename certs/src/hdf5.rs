@@ -219,12 +219,12 @@ impl Dataset<'_> {
         Ok(rows.iter().map(|r| r.map(u64::from_le_bytes)).collect())
     }
 
-    fn triangles(&self) -> Read<Vec<[usize; 3]>> {
+    fn triangles(&self) -> Read<Vec<[u32; 3]>> {
         let (words, []) = self.data.as_chunks::<4>() else { return Err("not integers".into()) };
         let (rows, []) = words.as_chunks::<3>() else { return Err("not three columns".into()) };
         if self.class != 0 || rows.len() != self.rows {
             return Err("triangles are not 4-byte integers".into());
         }
-        Ok(rows.iter().map(|r| r.map(|w| u32::from_le_bytes(w) as usize)).collect())
+        Ok(rows.iter().map(|r| r.map(u32::from_le_bytes)).collect())
     }
 }

@@ -1,7 +1,9 @@
 //! The input files: which are given, OFF and OBJ meshes, and what a shell and a mesh hash to.
 
-use crate::{LIMIT, Res, hdf5, malformed};
+use crate::{Fail, LIMIT, Res, hdf5, load, malformed};
 use sha2::{Digest, Sha256};
+use std::borrow::Cow;
+use std::path::Path;
 
 /// A point as the bits of three finite doubles.
 pub(crate) type Bits = [u64; 3];
@@ -10,64 +12,98 @@ pub(crate) type Bits = [u64; 3];
 #[derive(Default)]
 pub(crate) struct Mesh {
     pub(crate) points: Vec<Bits>,
-    pub(crate) triangles: Vec<[usize; 3]>,
+    pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 /// Bottom, middle and top points, and the prisms.
 pub(crate) struct Shell {
     pub(crate) layers: [Vec<Bits>; 3],
-    pub(crate) prisms: Vec<[usize; 3]>,
+    pub(crate) prisms: Vec<[u32; 3]>,
+}
+
+/// The input files, which are read one by one.
+pub(crate) enum Files<'a> {
+    Memory(&'a [Vec<u8>]),
+    Paths(Vec<&'a Path>),
+}
+
+impl Files<'_> {
+    pub(crate) fn len(&self) -> usize {
+        match self {
+            Self::Memory(files) => files.len(),
+            Self::Paths(paths) => paths.len(),
+        }
+    }
+
+    /// The bytes of a file.
+    pub(crate) fn get(&self, i: usize) -> Res<Cow<'_, [u8]>> {
+        let bytes = match self {
+            Self::Memory(files) => Cow::Borrowed(&files[i][..]),
+            Self::Paths(paths) => Cow::Owned(load(paths[i], "input")?),
+        };
+        if bytes.len() > LIMIT {
+            return malformed("input", format!("input file {} is larger than 2^30 bytes", i + 1));
+        }
+        Ok(bytes)
+    }
 }
 
 /// Reads the one to four files; the mesh that an HDF5 shell holds is read only when it is needed.
-pub(crate) fn read(files: &[Vec<u8>], need_mesh: bool) -> Res<(Shell, Option<Mesh>)> {
-    if let Some(i) = files.iter().position(|file| file.len() > LIMIT) {
-        return malformed("input", format!("input file {} is larger than 2^30 bytes", i + 1));
-    }
-    let named = |i: usize| mesh(&files[i]).map_err(|why| format!("input file {}: {why}", i + 1));
-    let result = match files.len() {
-        1 | 2 => hdf5::shell(&files[0], files.len() == 1 && need_mesh)
-            .map_err(|why| format!("input file 1: {why}"))
-            .and_then(|(shell, own)| Ok((shell, if files.len() == 2 { Some(named(1)?) } else { own }))),
-        3 | 4 => named(0).and_then(|b| {
-            let (m, t) = (named(1)?, named(2)?);
-            let same = |x: &Mesh| x.triangles == b.triangles && x.points.len() == b.points.len();
-            if !same(&m) || !same(&t) {
-                return Err("the three layers differ in connectivity".to_owned());
-            }
-            let shell = Shell { layers: [b.points, m.points, t.points], prisms: b.triangles };
-            Ok((shell, if files.len() == 4 { Some(named(3)?) } else { None }))
-        }),
-        n => Err(format!("{n} input files where one to four are expected")),
+pub(crate) fn read(files: &Files<'_>, need_mesh: bool) -> Res<(Shell, Option<Mesh>)> {
+    let wrong = |i: usize, why: String| bad("input", format!("input file {}: {why}", i + 1));
+    let named = |i: usize| mesh(&files.get(i)?).map_err(|why| wrong(i, why));
+    let both = match files.len() {
+        1 | 2 => {
+            let own = files.len() == 1 && need_mesh;
+            let (shell, own) = hdf5::shell(&files.get(0)?, own).map_err(|why| wrong(0, why))?;
+            (shell, if files.len() == 2 { Some(named(1)?) } else { own })
+        }
+        3 | 4 => {
+            let b = named(0)?;
+            let layer = |i: usize| {
+                let mesh = named(i)?;
+                match mesh.triangles == b.triangles && mesh.points.len() == b.points.len() {
+                    true => Ok(mesh.points),
+                    false => malformed("input", "the three layers differ in connectivity"),
+                }
+            };
+            let (m, t) = (layer(1)?, layer(2)?);
+            let shell = Shell { layers: [b.points, m, t], prisms: b.triangles };
+            (shell, if files.len() == 4 { Some(named(3)?) } else { None })
+        }
+        n => return malformed("input", format!("{n} input files where one to four are expected")),
     };
-    match result {
-        Ok((_, None)) if need_mesh => malformed("input", "the claims need a mesh"),
-        Ok(both) => Ok(both),
-        Err(why) => malformed("input", why),
+    match both {
+        (_, None) if need_mesh => malformed("input", "the claims need a mesh"),
+        both => Ok(both),
     }
 }
 
+fn bad(code: &'static str, message: String) -> Fail {
+    Fail { exit: 2, code, message }
+}
+
 /// SHA-256 of points and triangles in lower-case hex.
-pub(crate) fn hash(layers: &[&[Bits]], triangles: &[[usize; 3]]) -> String {
+pub(crate) fn hash(layers: &[&[Bits]], triangles: &[[u32; 3]]) -> String {
     let mut sha = Sha256::new();
     for bits in layers.iter().flat_map(|points| points.iter().flatten()) {
         sha.update(bits.to_le_bytes());
     }
     for &id in triangles.iter().flatten() {
-        sha.update((id as u32).to_le_bytes()); // readers refuse larger ids
+        sha.update(id.to_le_bytes());
     }
     sha.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Refuses what no mesh may have.
-pub(crate) fn validate(points: &[Bits], triangles: &[[usize; 3]]) -> Result<(), String> {
+pub(crate) fn validate(points: &[Bits], triangles: &[[u32; 3]]) -> Result<(), String> {
     if points.is_empty() {
         return Err("no vertex".into());
     }
     if let Some(i) = points.iter().position(|p| p.iter().any(|bits| bits >> 52 & 0x7ff == 0x7ff)) {
         return Err(format!("vertex {i} has a coordinate that is not finite"));
     }
-    match triangles.iter().position(|t| t.iter().any(|&v| v >= points.len() || v > u32::MAX as usize)) {
+    match triangles.iter().position(|t| t.iter().any(|&v| v as usize >= points.len())) {
         Some(i) => Err(format!("triangle {i} has an index out of range")),
         None => Ok(()),
     }
@@ -118,7 +154,7 @@ fn off(text: &[u8]) -> Result<Mesh, String> {
     let mut counts = [0; 2];
     for count in &mut counts {
         let word = next(false)?;
-        *count = index(word)?;
+        *count = index(word)? as usize;
         if word.len() > 10 || (word.len() > 1 && word.starts_with(b"0")) {
             return Err("a count has more than ten digits or leading zeros".into());
         }
@@ -127,6 +163,9 @@ fn off(text: &[u8]) -> Result<Mesh, String> {
         return Err("the number of edges is no number".into());
     }
     let mut mesh = Mesh::default();
+    // A vertex has at least six bytes, a face eight.
+    mesh.points.reserve_exact(counts[0].min(text.len() / 6));
+    mesh.triangles.reserve_exact(counts[1].min(text.len() / 8));
     for _ in 0..counts[0] {
         mesh.points.push([real(next(false)?)?, real(next(false)?)?, real(next(false)?)?]);
     }
@@ -167,11 +206,11 @@ fn obj(text: &[u8]) -> Result<Mesh, String> {
     Ok(mesh)
 }
 
-fn index(word: &[u8]) -> Result<usize, String> {
+fn index(word: &[u8]) -> Result<u32, String> {
     let text = std::str::from_utf8(word).unwrap_or("");
     match text.parse() {
         Ok(value) if word.iter().all(u8::is_ascii_digit) => Ok(value),
-        _ => Err("a word is not an index or count".into()),
+        _ => Err("a word is not an index or count, or too large".into()),
     }
 }
 

@@ -1,10 +1,11 @@
 //! The independent checker of homeo certificates: reads a certificate and the files that it is about, and verifies
 //! each claim exactly. The format, the rules and the error codes are in `FORMAT.md`; modules follow its sections.
 //!
-//! The *trusted core*, which decides whether a claim holds, is `number`, `complex`, `world`, `tets`, `boxes`, `overlay`,
-//! `orders`, `lift` and `separate`: under 960 lines of code (`tests/size.rs` counts them). Around it are the readers: `line`
-//! and `parse` (the grammar), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the two;
-//! `compose` puts two certificates together.
+//! The *trusted core*, which decides whether a claim holds, is `number`, `complex`, `world`, `tets`, `boxes`, `shard`,
+//! `overlay`, `orders`, `lift` and `separate`: under 1,350 lines of code (`tests/size.rs` counts them). Around it are the
+//! readers: `line` and `parse` (the grammar), `pages` (lines that are read again whenever they are needed, so that a long
+//! certificate need not be kept), `input` and `hdf5` (files); what they read is bound by hashes. This file joins the
+//! two; `compose` puts two certificates together.
 //!
 //! Certificates about meshes without a shell (`MESHES.md`) have a core of their own in `meshes`.
 
@@ -29,20 +30,31 @@ mod meshes;
 mod number;
 mod orders;
 mod overlay;
+mod pages;
 mod parse;
 mod separate;
+mod shard;
+#[cfg(test)]
+mod tests;
 mod tets;
 mod world;
 
+// The table of the corpus is read by tests within and without.
+#[cfg(test)]
+extern crate self as homeo_certs;
+
 use complex::Complex;
 use foldhash::fast::RandomState;
-use input::{Mesh, Shell};
+use input::{Files, Mesh, Shell};
+use pages::Text;
 use parse::{Block, Cert, TetFact};
 use rayon::prelude::*;
 use separate::Sets;
-use std::borrow::Cow;
+use shard::Source;
+use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use tets::Selected;
 use world::World;
@@ -109,22 +121,30 @@ fn show(names: &[usize]) -> String {
 
 /// Checks a certificate against the contents of its input files.
 pub fn check(cert: &[u8], inputs: &[Vec<u8>]) -> Outcome {
-    outcome(run(cert, || Ok(Cow::Borrowed(inputs))))
+    outcome(either(Text::Memory(cert), &Files::Memory(inputs)))
 }
 
-/// Checks a certificate file against its input files.
+/// Checks a certificate file against its input files. A long certificate is not kept in memory ([`RESIDENT`]).
 pub fn check_files<P: AsRef<Path>>(cert: &Path, inputs: &[P]) -> Outcome {
-    let load =
-        || inputs.iter().map(|path| load(path.as_ref(), "input")).collect::<Res<Vec<_>>>().map(Cow::Owned);
-    outcome(load_cert(cert).and_then(|bytes| run(&bytes, load)))
+    check_files_keeping(RESIDENT, cert, inputs)
+}
+
+/// The bytes that a certificate may have to be kept in memory by [`check_files`].
+pub const RESIDENT: u64 = 1 << 26;
+
+/// The same, but a certificate of more than `resident` bytes is not kept in memory: its lines are read whenever they are needed,
+/// and refused (`malformed usage`) if they have changed. The answer is the same.
+pub fn check_files_keeping<P: AsRef<Path>>(resident: u64, cert: &Path, inputs: &[P]) -> Outcome {
+    let files = Files::Paths(inputs.iter().map(AsRef::as_ref).collect());
+    outcome(with_file(resident, cert, |text| either(text, &files)))
 }
 
 /// Checks that two certificates together prove a homeomorphism from mesh A to mesh B (FORMAT section 7): both are valid on
 /// the same shell file, with one vertex order, and certify `bijection`.
 pub fn compose(certs: [&[u8]; 2], shell: &[u8], meshes: [&[u8]; 2]) -> Outcome {
     let one = |i: usize| {
-        let inputs = || Ok(Cow::Owned(vec![shell.to_vec(), meshes[i].to_vec()]));
-        compose::checked(["A", "B"][i], Ok(Cow::Borrowed(certs[i])), inputs)
+        let files = [shell.to_vec(), meshes[i].to_vec()];
+        compose::named(["A", "B"][i], run(Text::Memory(certs[i]), &Files::Memory(&files)))
     };
     let both = || compose::fits(&one(0)?, &one(1)?);
     outcome(both())
@@ -133,8 +153,8 @@ pub fn compose(certs: [&[u8]; 2], shell: &[u8], meshes: [&[u8]; 2]) -> Outcome {
 /// The same for five files: the certificates of A and of B, the shell, A and B.
 pub fn compose_files<P: AsRef<Path>>(files: &[P]) -> Outcome {
     let one = |name, cert: &P, inputs: [&P; 2]| {
-        let load = || inputs.iter().map(|path| load(path.as_ref(), "input")).collect::<Res<Vec<_>>>();
-        compose::checked(name, load_cert(cert.as_ref()).map(Cow::Owned), || load().map(Cow::Owned))
+        let files = Files::Paths(inputs.map(AsRef::as_ref).to_vec());
+        compose::named(name, with_file(RESIDENT, cert.as_ref(), |text| run(text, &files)))
     };
     let both = || match files {
         // In this order: nothing of B is read before A is checked.
@@ -146,15 +166,27 @@ pub fn compose_files<P: AsRef<Path>>(files: &[P]) -> Outcome {
     outcome(both())
 }
 
-fn load_cert(path: &Path) -> Res<Vec<u8>> {
-    load(path, "usage")
+/// Opens a certificate.
+fn with_file<T>(resident: u64, path: &Path, then: impl FnOnce(Text<'_>) -> Res<T>) -> Res<T> {
+    let cannot = |error: std::io::Error| bad_file("usage", path, &error);
+    let file = File::open(path).map_err(cannot)?;
+    let found = file.metadata().map_err(cannot)?;
+    // What is no regular file (a pipe) can be read just once.
+    if found.is_file() && found.len() > resident {
+        return then(Text::File(&Mutex::new(file), usize::try_from(found.len()).unwrap_or(usize::MAX)));
+    }
+    then(Text::Memory(&load(path, "usage")?))
+}
+
+fn bad_file(code: &'static str, path: &Path, error: &std::io::Error) -> Fail {
+    Fail { exit: 2, code, message: format!("{}: {error}", path.display()) }
 }
 
 /// A file's bytes, one more than are allowed at the most: what is longer is then told from what is cut.
 fn load(path: &Path, code: &'static str) -> Res<Vec<u8>> {
     let mut bytes = Vec::new();
-    let read = std::fs::File::open(path).and_then(|file| file.take(LIMIT as u64 + 1).read_to_end(&mut bytes));
-    read.map_or_else(|error| malformed(code, format!("{}: {error}", path.display())), |_| Ok(bytes))
+    let read = File::open(path).and_then(|file| file.take(LIMIT as u64 + 1).read_to_end(&mut bytes));
+    read.map_or_else(|error| Err(bad_file(code, path, &error)), |_| Ok(bytes))
 }
 
 fn outcome(result: Res<Vec<(&'static str, bool)>>) -> Outcome {
@@ -170,22 +202,33 @@ fn outcome(result: Res<Vec<(&'static str, bool)>>) -> Outcome {
     }
 }
 
-fn run<'a>(bytes: &[u8], inputs: impl FnOnce() -> Res<Cow<'a, [Vec<u8>]>>) -> Res<Vec<(&'static str, bool)>> {
-    if bytes.starts_with(meshes::MAGIC) {
-        return meshes::run(bytes, inputs);
+/// What a valid certificate is about.
+struct Checked {
+    claims: Vec<(&'static str, bool)>,
+    shell: String,
+    order: Option<Vec<usize>>,
+}
+
+/// A certificate of either kind; its claims.
+fn either(text: Text<'_>, files: &Files<'_>) -> Res<Vec<(&'static str, bool)>> {
+    if *text.read(0..text.len().min(meshes::MAGIC.len()))? == *meshes::MAGIC {
+        return meshes::run(&text.read(0..text.len().min(LIMIT + 1))?, files);
     }
-    let cert = parse::parse(bytes)?;
-    let (shell, mesh) = input::read(&inputs()?, cert.mesh.is_some())?;
+    run(text, files).map(|checked| checked.claims)
+}
+
+fn run(text: Text<'_>, files: &Files<'_>) -> Res<Checked> {
+    let cert = parse::parse(text)?;
+    let (shell, mesh) = input::read(files, cert.mesh.is_some())?;
     let mesh = mesh.filter(|_| cert.mesh.is_some()).unwrap_or_default();
-    let complexes = bind(&cert, &shell, &mesh)?;
-    claims(&cert, &World::new(&shell, &mesh, complexes))?;
-    Ok(cert.claims)
+    claims(&cert, &bind(&cert, shell, mesh)?)?;
+    Ok(Checked { claims: cert.claims, shell: cert.shell.sha, order: cert.order })
 }
 
 /// The certificate is about these files, and they meet the input conditions.
-fn bind(cert: &Cert, shell: &Shell, mesh: &Mesh) -> Res<(Complex, Complex)> {
+fn bind(cert: &Cert<'_>, mut shell: Shell, mut mesh: Mesh) -> Res<World> {
     let layers = shell.layers.each_ref().map(Vec::as_slice);
-    let same = |stated: &parse::Stated, layers: &[&[input::Bits]], triangles: &[[usize; 3]]| {
+    let same = |stated: &parse::Stated, layers: &[&[input::Bits]], triangles: &[[u32; 3]]| {
         let counts = (stated.vertices, stated.faces) == (layers[0].len(), triangles.len());
         counts && stated.sha == input::hash(layers, triangles)
     };
@@ -193,31 +236,35 @@ fn bind(cert: &Cert, shell: &Shell, mesh: &Mesh) -> Res<(Complex, Complex)> {
     if let Some(stated) = &cert.mesh {
         ensure!(same(stated, &[&mesh.points], &mesh.triangles), "hash", "of the mesh");
     }
-    let pinched = world::pinched(shell);
-    let flat = |prism: &[usize; 3]| prism.iter().all(|&v| pinched[v]);
-    let middle = Complex::new(shell.prisms.clone(), shell.layers[0].len(), "shell-conditions")?;
-    ensure!(!shell.prisms.is_empty(), "shell-conditions", "no prism");
-    ensure!(!shell.prisms.iter().any(flat), "shell-conditions", "a prism has three pinched corners");
-    let surface = Complex::new(mesh.triangles.clone(), mesh.points.len(), "mesh-conditions")?;
-    ensure!(cert.mesh.is_none() || !mesh.triangles.is_empty(), "mesh-conditions", "no triangle");
-    Ok((middle, surface))
+    let prisms = std::mem::take(&mut shell.prisms);
+    let triangles = std::mem::take(&mut mesh.triangles);
+    ensure!(!prisms.is_empty(), "shell-conditions", "no prism");
+    let middle = Complex::new(prisms, shell.layers[0].len(), "shell-conditions")?;
+    let pinched = world::pinched(&shell);
+    let flat = (0..middle.len()).any(|prism| middle.of(prism).iter().all(|&v| pinched[v]));
+    ensure!(!flat, "shell-conditions", "a prism has three pinched corners");
+    ensure!(cert.mesh.is_none() || !triangles.is_empty(), "mesh-conditions", "no triangle");
+    let surface = Complex::new(triangles, mesh.points.len(), "mesh-conditions")?;
+    Ok(World::new(shell, mesh, (middle, surface)))
 }
 
 /// The conditions that need numbers or both complexes, then the claims one by one; their blocks come in their order.
-fn claims(cert: &Cert, world: &World) -> Res {
+fn claims(cert: &Cert<'_>, world: &World) -> Res {
     let area = |f: usize| {
         let [a, b, c] = world.corners(f);
         number::cross(&world.offset([a, b]), &world.offset([a, c])).iter().any(|x| number::sgn(x) != 0)
     };
-    each(world.mesh.triangles.len(), |f| {
+    each(world.mesh.len(), |f| {
         ensure!(area(f), "mesh-conditions", "triangle {f} has zero area");
         Ok(())
     })?;
-    let pinches = world.shell.triangles.iter().flatten().filter(|&&v| world.pinched[v]).count();
+    let corners = (0..world.shell.len()).flat_map(|prism| world.shell.of(prism));
+    let pinches = corners.filter(|&v| world.pinched[v]).count();
     let pinched = (0..world.pinched.len()).filter(|&v| world.pinched[v]).collect();
     ensure!(cert.pinched == (8 * pinches, pinched), "pinched", "the line differs from what the shell gives");
     let order: Vec<usize> = cert.order.clone().unwrap_or_else(|| (0..world.pinched.len()).collect());
-    let selected = || Selected::new(world, &[], &order);
+    let selected = Selected::new(world, &[], &order);
+    let all_orders = cert.claims.contains(&("section-all-orders", true));
     let mut overlay = None;
     let mut blocks = cert.blocks.iter();
     for &(name, certified) in &cert.claims {
@@ -225,7 +272,7 @@ fn claims(cert: &Cert, world: &World) -> Res {
         let block = if cert.owners.contains(&name) { blocks.next() } else { None };
         match (name, block) {
             ("positivity", None) => {
-                each(world.shell.triangles.len(), |prism| {
+                each(world.shell.len(), |prism| {
                     let bad = tets::all(world, prism).into_iter().find(|tet| !tet.positive(world));
                     bad.map_or(Ok(()), |tet| {
                         fail(1, "not-positive", format!("prism {prism}: {}", show(&tet.names)))
@@ -233,7 +280,7 @@ fn claims(cert: &Cert, world: &World) -> Res {
                 })?;
             }
             ("section-all-orders", None) if certified => {
-                overlay.iter().try_for_each(|o| orders::check(world, o))?;
+                overlay.take().map_or(Ok(()), |overlay| orders::check(world, overlay))?;
             }
             (_, None) => {}
             (_, Some(Block::Positivity(facts))) => {
@@ -241,34 +288,31 @@ fn claims(cert: &Cert, world: &World) -> Res {
                 facts.iter().try_for_each(|fact| lift::not_positive(world, fact, tets(fact)))?;
             }
             (_, Some(Block::Overlay(facts))) => {
-                overlay = Some(overlay::Overlay::check(world, &selected(), facts)?);
+                overlay =
+                    Some(overlay::Overlay::check(Source { world, selected: &selected, facts }, all_orders)?);
             }
             (_, Some(Block::NoLift(first, witness))) => {
                 lift::check(world, &Selected::new(world, first, &order), witness)?;
             }
             ("disjoint-prisms", Some(Block::Separated(lines))) => {
-                separate::injective(world, &selected(), lines)?;
+                separate::injective(world, &selected, lines)?;
             }
-            (_, Some(Block::Separated(lines))) => separate::disjoint(world, &compared(world, name), lines)?,
-            (_, Some(Block::Crossing(facts))) => separate::crossing(world, &compared(world, name), facts)?,
+            (_, Some(Block::Separated(lines))) => separate::disjoint(world, &compared(name), lines)?,
+            (_, Some(Block::Crossing(facts))) => separate::crossing(world, &compared(name), facts)?,
             (_, Some(Block::Overlap(facts))) => {
-                separate::overlap(world, &selected(), facts)?;
+                separate::overlap(world, &selected, facts)?;
             }
         }
     }
     Ok(())
 }
 
-/// The triangles of the mesh, and what a claim of sections 3.5 and 3.6 compares them with.
-fn compared(world: &World, claim: &str) -> Sets {
-    let first: Vec<[usize; 3]> = (0..world.mesh.triangles.len()).map(|f| world.corners(f)).collect();
-    let prisms = world.shell.triangles.iter();
-    let layer = |layer| prisms.clone().map(|t| t.map(|v| world.name(v, layer)).to_vec()).collect();
-    let second = match claim {
-        "disjoint-mesh" => first.iter().map(Vec::from).collect(),
-        "disjoint-bottom" => layer(0),
-        "disjoint-top" => layer(2),
-        _ => prisms.clone().map(|t| t.map(|v| [3 * v, 3 * v + 1, 3 * v + 2]).concat()).collect(),
-    };
-    Sets { first, second, itself: claim == "disjoint-mesh" }
+/// What a claim of sections 3.5 and 3.6 compares.
+fn compared(claim: &str) -> Sets<'static> {
+    match claim {
+        "disjoint-mesh" => Sets::Mesh,
+        "disjoint-bottom" => Sets::Layer(0),
+        "disjoint-top" => Sets::Layer(2),
+        _ => Sets::Prisms,
+    }
 }

@@ -17,7 +17,7 @@ pub(crate) struct Lift<'a> {
     world: &'a World,
     selected: &'a Selected<'a>,
     /// Of the prisms' boxes.
-    tree: Tree,
+    tree: Tree<'a>,
 }
 
 /// A point of `T` in a tet, with its carrier there.
@@ -30,7 +30,7 @@ struct Station<'a> {
 pub(crate) fn check(world: &World, selected: &Selected<'_>, witness: &Witness) -> Res {
     match witness {
         Witness::Topology(line, euler, stated) => {
-            let value = |c: &Complex| if *euler { c.euler() } else { c.parts as i128 };
+            let value = |c: &Complex| if *euler { c.euler() } else { c.parts() as i128 };
             let found = [value(&world.mesh), value(&world.shell)];
             ensure!(found == *stated, "wrong-value", "line {line}: the values are {found:?}");
             ensure!(found[0] != found[1], "not-refuted", "line {line}: the values are equal");
@@ -53,9 +53,9 @@ pub(crate) fn not_positive(world: &World, fact: &TetFact, mut tets: impl Iterato
 
 impl<'a> Lift<'a> {
     pub(crate) fn new(world: &'a World, selected: &'a Selected<'a>) -> Self {
-        let points = |t: &[usize; 3]| t.map(|v| [3 * v, 3 * v + 1, 3 * v + 2]).concat();
-        let boxes = world.shell.triangles.iter().map(|t| Aabb::of(&world.keys, &points(t)));
-        Self { world, selected, tree: Tree::new(boxes) }
+        let points = |prism: usize| world.shell.of(prism).map(|v| [3 * v, 3 * v + 1, 3 * v + 2]);
+        let bounds = move |prism| Aabb::of(&world.keys, points(prism).as_flattened());
+        Self { world, selected, tree: Tree::new(world.shell.len(), bounds) }
     }
 
     fn roots(&self, roots: &'a [Root]) -> Res {
@@ -70,9 +70,9 @@ impl<'a> Lift<'a> {
                 let Branch { line, reason, .. } = branch;
                 ensure!(self.refuted(reason, &ends), "not-refuted", "line {line}: no `{reason}`");
                 let lands = ends.iter().filter(|_| *reason == "lands");
-                landed.extend(lands.map(|end| self.world.shell.part[end.tet.prism]));
+                landed.extend(lands.map(|end| self.world.shell.part(end.tet.prism)));
             }
-            from.insert(self.world.mesh.part[root.at.triangle]);
+            from.insert(self.world.mesh.part(root.at.triangle));
         }
         ensure!(from.len() == roots.len(), "wrong-branches", "two roots in one component");
         ensure!(landed.len() < roots.len(), "not-refuted", "the lifts may fill the shell");

@@ -3,8 +3,8 @@
 use crate::{Res, fail, malformed};
 use num_bigint::BigInt;
 use num_traits::Zero;
-use std::iter::Peekable;
-use std::str::Split;
+use std::borrow::Cow;
+use std::cell::Cell;
 
 /// A tet as its four names, ascending. A shell point's name `(id, layer)` is the number `3 id + layer`.
 pub(crate) type Names4 = [usize; 4];
@@ -48,15 +48,18 @@ pub(crate) struct Bounds {
     pub(crate) prisms: usize,
     pub(crate) mesh: usize,
     pub(crate) triangles: usize,
+    /// `v` lines.
+    pub(crate) corners: usize,
 }
 
 pub(crate) struct Line<'a> {
     pub(crate) at: usize,
     pub(crate) bounds: Bounds,
-    pub(crate) text: &'a str,
-    tokens: Peekable<Split<'a, char>>,
-    too_long: bool,
-    out_of_range: Option<usize>,
+    pub(crate) text: Cow<'a, str>,
+    /// Where the next token begins; behind the end when there is none.
+    next: Cell<usize>,
+    too_long: Cell<bool>,
+    out_of_range: Cell<Option<usize>>,
 }
 
 /// `0|[1-9][0-9]*`.
@@ -65,8 +68,9 @@ fn is_number(text: &str) -> bool {
 }
 
 impl<'a> Line<'a> {
-    pub(crate) fn new(text: &'a str, at: usize, bounds: Bounds) -> Self {
-        Self { at, bounds, text, tokens: text.split(' ').peekable(), too_long: false, out_of_range: None }
+    pub(crate) fn new(text: impl Into<Cow<'a, str>>, at: usize, bounds: Bounds) -> Self {
+        let (next, too_long, out_of_range) = Default::default();
+        Self { at, bounds, text: text.into(), next, too_long, out_of_range }
     }
 
     pub(crate) fn syntax<T>(&self) -> Res<T> {
@@ -77,40 +81,40 @@ impl<'a> Line<'a> {
         if ok { Ok(()) } else { self.syntax() }
     }
 
-    pub(crate) fn next(&mut self) -> Res<&'a str> {
-        match self.tokens.next() {
-            Some(token) => Ok(token),
-            None => self.syntax(),
-        }
+    pub(crate) fn next(&self) -> Res<&str> {
+        let Some(rest) = self.text.get(self.next.get()..) else { return self.syntax() };
+        let token = rest.bytes().position(|b| b == b' ').map_or(rest, |end| &rest[..end]);
+        self.next.set(self.next.get() + token.len() + 1);
+        Ok(token)
     }
 
-    pub(crate) fn more(&mut self) -> bool {
-        self.tokens.peek().is_some()
+    pub(crate) fn more(&self) -> bool {
+        self.next.get() <= self.text.len()
     }
 
-    pub(crate) fn expect(&mut self, word: &str) -> Res {
+    pub(crate) fn expect(&self, word: &str) -> Res {
         let token = self.next()?;
         self.require(token == word)
     }
 
     /// Nothing may be left; then the digits, then the ranges are judged.
-    pub(crate) fn finish(&mut self) -> Res {
+    pub(crate) fn finish(&self) -> Res {
         let left = self.more();
         self.require(!left)?;
-        if self.too_long {
+        if self.too_long.get() {
             return fail(3, "digits", format!("line {}: a number has more than 4000 digits", self.at));
         }
-        match self.out_of_range {
+        match self.out_of_range.get() {
             Some(id) => malformed("range", format!("line {}: {id} is out of range", self.at)),
             None => Ok(()),
         }
     }
 
-    pub(crate) fn id_in(&mut self, text: &str, bound: usize) -> Res<usize> {
+    pub(crate) fn id_in(&self, text: &str, bound: usize) -> Res<usize> {
         match text.parse() {
             Ok(id) if is_number(text) && text.len() <= 10 => {
                 if id >= bound {
-                    self.out_of_range.get_or_insert(id);
+                    self.out_of_range.set(self.out_of_range.get().or(Some(id)));
                 }
                 Ok(id)
             }
@@ -119,40 +123,51 @@ impl<'a> Line<'a> {
     }
 
     /// A SHA-256 in lower-case hex.
-    pub(crate) fn sha(&mut self) -> Res<String> {
+    pub(crate) fn sha(&self) -> Res<String> {
         let sha = self.next()?;
         self.require(sha.len() == 64 && sha.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f')))?;
         Ok(sha.to_owned())
     }
 
     /// An id that must be below `bound`.
-    pub(crate) fn id(&mut self, bound: usize) -> Res<usize> {
+    pub(crate) fn id(&self, bound: usize) -> Res<usize> {
         let token = self.next()?;
         self.id_in(token, bound)
     }
 
-    /// All ids that are left, at least one, none twice.
-    pub(crate) fn distinct_ids(&mut self, bound: usize) -> Res<Vec<usize>> {
-        let mut ids = Vec::with_capacity(4);
-        ids.push(self.id(bound)?);
+    /// Adds all ids that are left, at least one, none twice; how many they are.
+    pub(crate) fn distinct_ids(&self, bound: usize, list: &mut Vec<usize>) -> Res<usize> {
+        let start = list.len();
+        list.push(self.id(bound)?);
         while self.more() {
-            ids.push(self.id(bound)?);
+            list.push(self.id(bound)?);
         }
+        let ids = &list[start..];
         let few = ids.len() < 9;
         let once = few && (1..ids.len()).all(|i| !ids[..i].contains(&ids[i]));
         self.require(once || !few && crate::complex::distinct(ids.iter().copied()).len() == ids.len())?;
-        Ok(ids)
+        Ok(ids.len())
     }
 
-    /// One to three mesh vertices, ascending.
-    pub(crate) fn mesh_ids(&mut self) -> Res<Vec<usize>> {
-        let token = self.next()?;
-        let ids = token.split(',').map(|t| self.id_in(t, self.bounds.mesh)).collect::<Res<Vec<_>>>()?;
-        self.require(ids.len() <= 3 && ids.is_sorted_by(|a, b| a < b))?;
-        Ok(ids)
+    /// Adds what a token has between commas, which must be ascending; how many they are.
+    fn ascending(&self, list: &mut Vec<usize>, read: impl Fn(&str) -> Res<usize>) -> Res<usize> {
+        let (mut token, start) = (self.next()?, list.len());
+        while let Some(end) = token.bytes().position(|b| b == b',') {
+            list.push(read(&token[..end])?);
+            token = &token[end + 1..];
+        }
+        list.push(read(token)?);
+        self.require(list[start..].is_sorted_by(|a, b| a < b))?;
+        Ok(list.len() - start)
     }
 
-    fn name(&mut self, text: &str) -> Res<usize> {
+    /// Adds one to three mesh vertices, ascending.
+    pub(crate) fn mesh_ids(&self, list: &mut Vec<usize>) -> Res {
+        let many = self.ascending(list, |text| self.id_in(text, self.bounds.mesh))?;
+        self.require(many <= 3)
+    }
+
+    fn name(&self, text: &str) -> Res<usize> {
         let layer = match text.as_bytes().first() {
             Some(b'b') => 0,
             Some(b'm') => 1,
@@ -162,29 +177,33 @@ impl<'a> Line<'a> {
         Ok(3 * self.id_in(&text[1..], self.bounds.shell)? + layer)
     }
 
+    /// Adds one or more names, ascending.
+    pub(crate) fn add_names(&self, list: &mut Vec<usize>) -> Res {
+        self.ascending(list, |text| self.name(text)).map(drop)
+    }
+
     /// One or more names, ascending.
-    pub(crate) fn names(&mut self) -> Res<Vec<usize>> {
-        let token = self.next()?;
-        let names = token.split(',').map(|t| self.name(t)).collect::<Res<Vec<_>>>()?;
-        self.require(names.is_sorted_by(|a, b| a < b))?;
+    pub(crate) fn names(&self) -> Res<Vec<usize>> {
+        let mut names = Vec::new();
+        self.add_names(&mut names)?;
         Ok(names)
     }
 
-    pub(crate) fn tet(&mut self) -> Res<Names4> {
+    pub(crate) fn tet(&self) -> Res<Names4> {
         let names = self.names()?;
         names.try_into().or_else(|_| self.syntax())
     }
 
-    fn big(&mut self, text: &str) -> Res<BigInt> {
+    fn big(&self, text: &str) -> Res<BigInt> {
         self.require(is_number(text))?;
         if text.len() > 4000 {
-            self.too_long = true;
+            self.too_long.set(true);
             return Ok(BigInt::from(1));
         }
         text.parse().or_else(|_| self.syntax())
     }
 
-    pub(crate) fn value(&mut self) -> Res<Value> {
+    pub(crate) fn value(&self) -> Res<Value> {
         let token = self.next()?;
         if token == "0" {
             return Ok(Value { odd: BigInt::zero(), exp: 0 });
@@ -204,14 +223,14 @@ impl<'a> Line<'a> {
     }
 
     /// An `ID` (`INT` if `negative` is allowed) of the `topology` line.
-    pub(crate) fn signed(&mut self, negative: bool) -> Res<i128> {
+    pub(crate) fn signed(&self, negative: bool) -> Res<i128> {
         let token = self.next()?;
         let digits = if negative { token.strip_prefix('-').unwrap_or(token) } else { token };
         self.require(is_number(digits) && digits.len() <= 10 && (digits != "0" || token == "0"))?;
         token.parse().or_else(|_| self.syntax())
     }
 
-    pub(crate) fn plane(&mut self) -> Res<Plane> {
+    pub(crate) fn plane(&self) -> Res<Plane> {
         let token = self.next()?;
         let Some((kind, points)) = token.split_once(':') else { return self.syntax() };
         let points = points.split(',').map(|t| self.point(t)).collect::<Res<Vec<_>>>()?;
@@ -223,7 +242,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    fn point(&mut self, text: &str) -> Res<usize> {
+    fn point(&self, text: &str) -> Res<usize> {
         match text.strip_prefix('g') {
             Some(id) => Ok(3 * self.bounds.shell + self.id_in(id, self.bounds.mesh)?),
             None => self.name(text),
@@ -232,7 +251,7 @@ impl<'a> Line<'a> {
 }
 
 /// `n` weights, not all zero.
-pub(crate) fn weights(line: &mut Line<'_>, n: usize) -> Res<Vec<BigInt>> {
+pub(crate) fn weights(line: &Line<'_>, n: usize) -> Res<Vec<BigInt>> {
     let mut out = Vec::new();
     for _ in 0..n {
         let token = line.next()?;

@@ -2,11 +2,13 @@
 
 use crate::number::{Vec3, cross, dot, sgn};
 use crate::overlay::Overlay;
+use crate::shard::Cell;
 use crate::world::World;
-use crate::{Res, complex, each, tets};
+use crate::{Res, complex, tets};
 use num_bigint::BigInt;
 
-pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
+/// An overlay that was checked with the cells' part of this claim.
+pub(crate) fn check(world: &World, overlay: Overlay<'_>) -> Res {
     for (line, ids, names) in &overlay.boundary {
         let middle = names.iter().all(|n| n % 3 == 1);
         let flat = |slab: usize| {
@@ -16,35 +18,36 @@ pub(crate) fn check(world: &World, overlay: &Overlay<'_>) -> Res {
         };
         ensure!(middle || flat(0) || flat(1), "all-orders-boundary", "line {line}");
     }
-    each(overlay.cells.len(), |i| {
-        let cell = &overlay.cells[i];
-        let [f, home] = cell.home;
-        let sides = complex::sides(world.shell.triangles[home]).map(Some);
-        for side in std::iter::once(None).chain(sides) {
-            let prism = side.map_or(Some(home), |(u, w)| world.shell.across(u, w));
-            let steep = prism.map(|q| {
-                let mut tets = tets::steep(world, f, q);
-                tets.retain(|tet| crosses(world, f, tet.names));
-                tets
-            });
-            if steep.as_ref().is_some_and(Vec::is_empty) {
-                continue;
-            }
-            let mut pieces = overlay.pieces(cell);
-            if let Some((u, w)) = side {
-                let walls = [0, 1].map(|slab| wall(world, u, w, slab));
-                pieces =
-                    walls.iter().flat_map(|wall| pieces.iter().map(|p| clip(world, f, *wall, p))).collect();
-            }
-            let bad = |piece: &Vec<Vec3>| match &steep {
-                // Behind a boundary side no prism takes over what the flipped wall gives away.
-                None => has_area(piece),
-                Some(tets) => tets.iter().any(|t| has_area(&clip(world, f, t.names, piece))),
-            };
-            ensure!(!pieces.iter().any(bad), "all-orders", "line {}: prism {home}, side {side:?}", cell.line);
+    overlay.against.map_or(Ok(()), Err)
+}
+
+/// The rule for one cell, whose fan triangles in coordinates of `f` are made when they are needed.
+pub(crate) fn check_cell(world: &World, cell: &Cell, fans: impl Fn() -> Vec<[Vec3; 3]>) -> Res {
+    let [f, home] = cell.home;
+    let sides = complex::sides(world.shell.of(home)).map(Some);
+    for side in std::iter::once(None).chain(sides) {
+        let prism = side.map_or(Some(home), |(u, w)| world.shell.across(u, w));
+        let steep = prism.map(|q| {
+            let mut tets = tets::steep(world, f, q);
+            tets.retain(|tet| crosses(world, f, tet.names));
+            tets
+        });
+        if steep.as_ref().is_some_and(Vec::is_empty) {
+            continue;
         }
-        Ok(())
-    })
+        let mut pieces: Vec<Vec<Vec3>> = fans().into_iter().map(Vec::from).collect();
+        if let Some((u, w)) = side {
+            let walls = [0, 1].map(|slab| wall(world, u, w, slab));
+            pieces = walls.iter().flat_map(|wall| pieces.iter().map(|p| clip(world, f, *wall, p))).collect();
+        }
+        let bad = |piece: &Vec<Vec3>| match &steep {
+            // Behind a boundary side no prism takes over what the flipped wall gives away.
+            None => has_area(piece),
+            Some(tets) => tets.iter().any(|t| has_area(&clip(world, f, t.names, piece))),
+        };
+        ensure!(!pieces.iter().any(bad), "all-orders", "line {}: prism {home}, side {side:?}", cell.line);
+    }
+    Ok(())
 }
 
 /// The names `lo_u lo_w hi_w hi_u` of a slab's wall; flat (two are equal) if `u` or `w` is pinched.

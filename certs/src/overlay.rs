@@ -1,203 +1,241 @@
 //! `section` and `bijection` certified: the overlay (FORMAT section 3.2, rule R2 of THEORY).
 
-use crate::complex::{distinct, sides};
-use crate::number::{Vec3, cross, det, dot, leading, sgn, sign_near};
-use crate::parse::Overlay as Facts;
-use crate::tets::Selected;
-use crate::world::World;
-use crate::{Res, Set, all};
+use crate::complex::sides;
+use crate::number::{Vec3, cross, dot, sgn};
+use crate::shard::{Source, fans, triangles};
+use crate::{Fail, Res, Set, all, complex::distinct, each, orders};
 use num_bigint::BigInt;
-use std::iter::Sum;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
 
-/// Barycentric coordinates times a positive number: of which vertices, exactly, leading bits.
-struct Weights {
-    ids: Vec<usize>,
-    exact: Vec<BigInt>,
-    near: Vec<i128>,
-}
-
-/// A vertex of `K`.
-struct Corner<'a> {
-    names: &'a [usize],
-    /// On the vertices of the mesh; on those of the shell, where names of one vertex each have their own weight.
-    weights: [Weights; 2],
-}
-
-/// A cell, the triangle of `T` that it lies in and the prism.
-pub(crate) struct Cell<'a> {
-    pub(crate) line: usize,
-    corners: &'a [usize],
-    pub(crate) home: [usize; 2],
-    /// The corners of both.
-    within: [[usize; 3]; 2],
-}
-
-/// A checked overlay.
-pub(crate) struct Overlay<'a> {
-    corners: Vec<Corner<'a>>,
-    pub(crate) cells: Vec<Cell<'a>>,
-    /// The edges of `K` without their reverse: a cell's line, the vertex ids of the ends' names, the names.
-    pub(crate) boundary: Vec<Rim>,
-}
-
+/// The edges of `K` without their reverse: a `v` line, the vertex ids of the ends' names, the names.
 type Rim = (usize, Vec<usize>, Vec<usize>);
 
+/// A checked overlay. It is not kept: cells are made from the certificate's lines, a shard at a time.
+pub(crate) struct Overlay<'a> {
+    source: Source<'a>,
+    pub(crate) boundary: Vec<Rim>,
+    /// The first cell that is against `section-all-orders`, if that was asked for.
+    pub(crate) against: Option<Fail>,
+}
+
+/// What is known of all cells when each has been checked.
+struct Tally {
+    /// The `v` lines that are corners of cells.
+    used: Vec<AtomicBool>,
+    /// How many directed edges there are, and whether one is in a cap.
+    edges: AtomicUsize,
+    caps: AtomicBool,
+    /// Whether cells are asked about all orders, too, and the first one that fails.
+    all_orders: bool,
+    against: Mutex<Option<(usize, Fail)>>,
+}
+
+/// As many edges are compared in one pass.
+const EDGES: usize = if cfg!(test) { 8 } else { 1 << 23 };
+
+/// An edge between two corners, the smaller one first, and its direction.
+type Edge = (u32, u32);
+
 impl<'a> Overlay<'a> {
-    pub(crate) fn check(world: &World, selected: &Selected<'_>, facts: &'a Facts) -> Res<Self> {
-        ensure!(selected.positive(), "not-positive", "a tet of the order");
-        let corners = all(facts.ids.len(), |i| {
-            let (line, ids, names) = (facts.ids.line(i), facts.ids.of(i), facts.names.of(i));
-            ensure!(world.mesh.holding(ids).next().is_some(), "mesh-carrier", "line {line}");
-            ensure!(selected.holding(names).next().is_some(), "shell-carrier", "line {line}");
-            ensure!(!world.in_cap(&[names]), "cap", "line {line}");
-            meet(world, line, ids, names)
-        })?;
-        let mut overlay = Self { corners, cells: Vec::new(), boundary: Vec::new() };
-        overlay.cells = all(facts.cells.len(), |i| overlay.cell(world, selected, facts, i))?;
-        overlay.boundary = overlay.check_edges(world)?;
-        let mut used = vec![false; overlay.corners.len()];
-        overlay.cells.iter().flat_map(|c| c.corners).for_each(|&x| used[x] = true);
-        ensure!(!used.contains(&false), "isolated", "a `v` line is in no cell");
-        overlay.check_degree(world, facts)?;
+    /// With `all_orders`, the cells' part of FORMAT section 3.3 is decided on the way.
+    pub(crate) fn check(source: Source<'a>, all_orders: bool) -> Res<Self> {
+        ensure!(source.selected.positive(), "not-positive", "a tet of the order");
+        let mut overlay = Self { source, boundary: Vec::new(), against: None };
+        let count = source.facts.corners.len();
+        let used = (0..count).map(|_| AtomicBool::new(false)).collect();
+        let (edges, caps, against) = Default::default();
+        let tally = Tally { used, edges, caps, all_orders, against };
+        let cells = overlay.check_cells(&tally);
+        let all_used = tally.used.iter().all(|used| used.load(Relaxed));
+        // A line in some cell has been checked there. Its error comes before all others, in the order of the lines.
+        if cells.is_err() || !all_used {
+            let some = |at: usize| (at * 64..count.min((at + 1) * 64)).collect();
+            each(count.div_ceil(64), |at| source.corners(some(at))?.all().map(drop))?;
+        }
+        let beside = cells?;
+        overlay.boundary = overlay.check_edges(&tally)?;
+        ensure!(all_used, "isolated", "a `v` line is in no cell");
+        overlay.check_degree(&beside)?;
+        let against = tally.against.into_inner().unwrap_or_else(PoisonError::into_inner);
+        overlay.against = against.map(|(_, fail)| fail);
         Ok(overlay)
     }
 
-    fn cell(&self, world: &World, selected: &Selected<'_>, facts: &'a Facts, i: usize) -> Res<Cell<'a>> {
-        let (line, corners) = (facts.cells.line(i), facts.cells.of(i));
-        let ids =
-            |side: usize| distinct(corners.iter().flat_map(|&x| &self.corners[x].weights[side].ids).copied());
-        let names = distinct(corners.iter().flat_map(|&x| self.corners[x].names).copied());
-        let [triangle, prism] = [world.mesh.with_corners(&ids(0)), world.shell.with_corners(&ids(1))];
-        let triangle = triangle.ok_or_else(|| bad!("cell-mesh", "line {line}: not one triangle"))?;
-        let prism = prism.filter(|_| selected.holding(&names).next().is_some());
-        let prism = prism.ok_or_else(|| bad!("cell-shell", "line {line}: not one tet that fills a prism"))?;
-        let within = [world.mesh.triangles[triangle], world.shell.triangles[prism]];
-        let cell = Cell { line, corners, home: [triangle, prism], within };
-        for (i, fan) in fans(corners).enumerate() {
-            for (side, code) in [(0, "area-mesh"), (1, "area-middle")] {
-                let weights = fan.map(|x| &self.corners[x].weights[side]);
-                let near = weights.map(|w| w.row(cell.within[side], &w.near));
-                let exact = || sgn(&det(&self.rows(side, &cell, fan)));
-                let sign = sign_near(&near, false).unwrap_or_else(exact);
-                ensure!(sign > 0, code, "line {line}: fan triangle {i}");
+    /// Checks every cell and the `v` lines at its corners. Those in a triangle or a prism that has a cell of a `d` line: the
+    /// side, the triangle or prism, the cell; ascending.
+    fn check_cells(&self, tally: &Tally) -> Res<Vec<(usize, usize, usize)>> {
+        // If one of them has no home, its error is found below.
+        let named = [0, 1].map(|side| self.named(side).unwrap_or_default());
+        let named = named.map(|named| named.into_iter().flatten().collect::<Set<usize>>());
+        let beside = all(self.source.shards(), |at| {
+            let (shard, mut beside) = (self.source.cells(self.source.numbers(at))?, Vec::new());
+            let corners = shard.all()?;
+            shard.corners.iter().for_each(|&x| tally.used[x].store(true, Relaxed));
+            for (i, &number) in shard.numbers.iter().enumerate() {
+                let cell = shard.cell(i)?;
+                shard.check(&cell, &corners)?;
+                let edges = || fans(&cell.corners).flat_map(sides);
+                tally.edges.fetch_add(edges().count(), Relaxed);
+                if edges().any(|edge| shard.in_cap(edge)) {
+                    tally.caps.store(true, Relaxed);
+                }
+                let fans = || triangles(&cell, &corners, 0);
+                if tally.all_orders
+                    && let Err(fail) = orders::check_cell(self.source.world, &cell, fans)
+                {
+                    tally.fails(number, fail);
+                }
+                let sides = [0, 1].into_iter().filter(|&side| named[side].contains(&cell.home[side]));
+                beside.extend(sides.map(|side| (side, cell.home[side], number)));
+            }
+            Ok(beside)
+        })?;
+        let mut beside = beside.concat();
+        beside.sort_unstable();
+        Ok(beside)
+    }
+
+    /// The triangles or prisms of the cells in the `d` lines; none for one that fails.
+    fn named(&self, side: usize) -> Res<Vec<Option<usize>>> {
+        let cells = || self.source.facts.degree[side].iter().map(|line| line.1);
+        let shard = self.source.cells(distinct(cells()))?;
+        let homes: Vec<_> =
+            (0..shard.len()).map(|i| shard.cell(i).ok().map(|cell| cell.home[side])).collect();
+        let place = |cell: usize| shard.numbers.binary_search(&cell).ok();
+        Ok(cells().map(|cell| homes[place(cell)?]).collect())
+    }
+
+    /// Edges of a cell as they are compared.
+    fn edges(corners: &[usize]) -> impl Iterator<Item = Edge> {
+        let edge = |(a, b): (usize, usize)| (a.min(b) as u32, 2 * a.max(b) as u32 + u32::from(a > b));
+        fans(corners).flat_map(sides).map(edge)
+    }
+
+    fn check_edges(&self, tally: &Tally) -> Res<Vec<Rim>> {
+        let (count, caps) = (tally.edges.load(Relaxed), tally.caps.load(Relaxed));
+        let passes = count.div_ceil(EDGES).max(1);
+        let (mut twice, mut open) = (Set::default(), Vec::new());
+        for pass in 0..passes {
+            let edges = self.edges_of(pass, passes, count)?;
+            for same in edges.chunk_by(|x, y| (x.0, x.1 / 2) == (y.0, y.1 / 2)) {
+                twice.extend(same.windows(2).filter(|w| w[0] == w[1]).map(|w| w[0]));
+                ensure!(caps || twice.is_empty(), "edge-twice", "corners {} {}", same[0].0, same[0].1 / 2);
+                open.extend((same.len() == 1).then_some(same[0]));
             }
         }
-        Ok(cell)
-    }
-
-    /// The coordinates of three corners in a cell's triangle or prism.
-    fn rows(&self, side: usize, cell: &Cell<'_>, fan: [usize; 3]) -> [Vec3; 3] {
-        fan.map(|x| &self.corners[x].weights[side]).map(|w| w.row(cell.within[side], &w.exact))
-    }
-
-    /// The fan triangles of a cell as coordinates in its mesh triangle.
-    pub(crate) fn pieces(&self, cell: &Cell<'_>) -> Vec<Vec<Vec3>> {
-        fans(cell.corners).map(|fan| self.rows(0, cell, fan).to_vec()).collect()
-    }
-
-    fn check_edges(&self, world: &World) -> Res<Vec<Rim>> {
-        let directed =
-            || self.cells.iter().flat_map(|c| fans(c.corners).flat_map(sides).map(|e| (c.line, e)));
-        // Half as long as pairs of `usize`.
-        let short = |(a, b): (usize, usize)| (a as u32, b as u32);
-        let mut edges = Set::default();
-        for (line, edge) in directed() {
-            ensure!(edges.insert(short(edge)), "edge-twice", "line {line}: corners {edge:?}");
-            let names = [edge.0, edge.1].map(|x| self.corners[x].names);
-            ensure!(!world.in_cap(&names), "cap", "line {line}: corners {edge:?}");
+        if caps {
+            return Err(self.first_bad(&twice));
         }
-        let mut boundary = Vec::new();
-        for (line, (a, b)) in directed().filter(|&(_, (a, b))| !edges.contains(&short((b, a)))) {
-            let ends = [a, b].map(|x| &self.corners[x]);
-            let [on_mesh, ids] =
-                [0, 1].map(|side| distinct(ends.map(|c| c.weights[side].ids.clone()).concat()));
-            let on_both = world.mesh.on_boundary(on_mesh) && world.shell.on_boundary(ids.iter().copied());
-            ensure!(on_both, "boundary", "line {line}: corners {a} {b}");
-            boundary.push((line, ids, ends.map(|c| c.names).concat()));
-        }
-        Ok(boundary)
+        let parts =
+            all(open.len().div_ceil(64), |at| self.rim(&open[at * 64..open.len().min((at + 1) * 64)]))?;
+        Ok(parts.into_iter().flatten().collect())
     }
 
-    fn check_degree(&self, world: &World, facts: &Facts) -> Res {
-        for side in [0, 1] {
-            let complex = [&world.mesh, &world.shell][side];
-            let named = facts.degree[side].iter().map(|d| complex.part[self.cells[d.1].home[side]]);
-            ensure!(named.eq(0..complex.parts), "degree-component", "not one `d` line a component");
-        }
-        for side in [0, 1] {
-            let mut cells: Vec<&Cell<'_>> = self.cells.iter().collect();
-            cells.sort_unstable_by_key(|c| c.home[side]);
-            for &(line, named, fan) in &facts.degree[side] {
-                let named = &self.cells[named];
-                let triangle = fans(named.corners).nth(fan).ok_or_else(|| bad!("degree", "line {line}"))?;
-                let [a, b, c] = triangle.map(|x| self.corners[x].weights[side].exact.iter().sum::<BigInt>());
-                let (rows, scales) = (self.rows(side, named, triangle), [&b * &c, &a * &c, &a * &b]);
-                let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &rows[j][i] * &scales[j]).sum());
-                let first = cells.partition_point(|c| c.home[side] < named.home[side]);
-                for other in cells[first..].iter().take_while(|c| c.home[side] == named.home[side]) {
-                    for (i, triangle) in fans(other.corners).enumerate() {
-                        let [a, b, c] = &self.rows(side, named, triangle);
-                        let sides = [(a, b), (b, c), (c, a)];
-                        let holds = sides.iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
-                        let itself = (other.line, i) == (named.line, fan);
-                        ensure!(itself || !holds, "degree", "line {line}: also in line {}", other.line);
-                    }
+    /// The edges of one of the passes, in ascending order; of all there are `count`. An edge and its reverse are in the
+    /// same pass.
+    fn edges_of(&self, pass: usize, passes: usize, count: usize) -> Res<Vec<Edge>> {
+        // A little more than its share: to grow a list takes twice its memory.
+        let found = Mutex::new(Vec::with_capacity(count / passes + count / passes / 16));
+        // The corners take turns: cells that follow each other have corners that do.
+        let mine = |edge: &Edge| edge.0 as usize % passes == pass;
+        each(self.source.shards(), |at| {
+            let cells = self.source.facts.cells.cells(&self.source.numbers(at))?;
+            let edges: Vec<Edge> =
+                (0..cells.len()).flat_map(|i| Self::edges(cells.of(i))).filter(mine).collect();
+            found.lock().unwrap_or_else(PoisonError::into_inner).extend(edges);
+            Ok(())
+        })?;
+        let mut edges = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        edges.par_sort_unstable();
+        Ok(edges)
+    }
+
+    /// The error of the first edge that is in a cap, or is one of those that occur twice and has occurred.
+    fn first_bad(&self, twice: &Set<Edge>) -> Fail {
+        let mut seen = Set::default();
+        let mut search = |at: usize| {
+            let shard = self.source.cells(self.source.numbers(at))?;
+            for i in 0..shard.len() {
+                let line = self.source.facts.cells.number(shard.numbers[i]);
+                for edge in Self::edges(shard.cells.of(i)) {
+                    ensure!(!twice.contains(&edge) || seen.insert(edge), "edge-twice", "line {line}");
+                    let ends = [edge.0, edge.1 / 2].map(|x| shard.place(x as usize));
+                    ensure!(!shard.in_cap((ends[0], ends[1])), "cap", "line {line}: an edge");
                 }
+            }
+            Ok(())
+        };
+        (0..self.source.shards()).find_map(|at| search(at).err()).unwrap_or_else(|| bad!("cap", "an edge"))
+    }
+
+    /// What is asked of edges without their reverse, but for section 3.3.
+    fn rim(&self, open: &[Edge]) -> Res<Vec<Rim>> {
+        let ends = open.iter().map(|edge| [edge.0 as usize, edge.1 as usize / 2]);
+        let shard = self.source.corners(distinct(ends.clone().flatten()))?;
+        let rim = |[a, b]: [usize; 2]| {
+            let [a_at, b_at] = [a, b].map(|x| shard.place(x));
+            let [on_mesh, names] =
+                [0, 1].map(|side| [shard.carriers[side].of(a_at), shard.carriers[side].of(b_at)].concat());
+            let ids = distinct(names.iter().map(|n| n / 3));
+            let on_both = self.source.world.mesh.on_boundary(on_mesh)
+                && self.source.world.shell.on_boundary(ids.iter().copied());
+            let line = self.source.facts.corners.number(a);
+            ensure!(on_both, "boundary", "line {line}: the edge from here to corner {b}");
+            Ok((line, ids, names))
+        };
+        ends.map(rim).collect()
+    }
+
+    fn check_degree(&self, beside: &[(usize, usize, usize)]) -> Res {
+        let mut homes = Vec::new();
+        for side in [0, 1] {
+            let complex = [&self.source.world.mesh, &self.source.world.shell][side];
+            homes.push(self.named(side)?);
+            let parts = homes[side].iter().map(|home| home.map(|home| complex.part(home)));
+            let each_once = parts.eq((0..complex.parts()).map(Some));
+            ensure!(each_once, "degree-component", "not one `d` line a component");
+        }
+        for side in [0, 1] {
+            for (line, home) in self.source.facts.degree[side].iter().zip(&homes[side]) {
+                let place = |home: usize| beside.partition_point(|x| (x.0, x.1) < (side, home));
+                let cells = &beside[home.map_or(0..0, |home| place(home)..place(home + 1))];
+                self.covered_once(side, *line, cells.iter().map(|x| x.2).collect())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the middle of a named fan triangle lies in no other one of these cells, which are all in its triangle or prism.
+    fn covered_once(&self, side: usize, named: (usize, usize, usize), cells: Vec<usize>) -> Res {
+        let (line, named, fan) = named;
+        let shard = self.source.cells(cells)?;
+        let corners = shard.all()?;
+        let rows = |i: usize| Ok(triangles(&shard.cell(i)?, &corners, side));
+        let own = shard.numbers.binary_search(&named).ok().map(rows).transpose()?;
+        let own = own.and_then(|rows: Vec<[Vec3; 3]>| rows.into_iter().nth(fan));
+        let own = own.ok_or_else(|| bad!("degree", "line {line}"))?;
+        let [a, b, c] = own.each_ref().map(|row| row.iter().sum::<BigInt>());
+        let scales = [&b * &c, &a * &c, &a * &b];
+        let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &own[j][i] * &scales[j]).sum());
+        for (i, &other) in shard.numbers.iter().enumerate() {
+            for (k, [a, b, c]) in rows(i)?.iter().enumerate() {
+                let sides = [(a, b), (b, c), (c, a)];
+                let holds = sides.iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
+                let itself = (other, k) == (named, fan);
+                ensure!(itself || !holds, "degree", "line {line}: also in cell {other}");
             }
         }
         Ok(())
     }
 }
 
-/// The triangles `(c0, ci, ci+1)` that a cell stands for.
-fn fans(corners: &[usize]) -> impl Iterator<Item = [usize; 3]> {
-    corners.windows(2).skip(1).map(|w| [corners[0], w[0], w[1]])
-}
-
-impl Weights {
-    fn new(ids: impl Iterator<Item = usize>, exact: Vec<BigInt>) -> Self {
-        Self { ids: ids.collect(), near: leading(exact.iter()).collect(), exact }
+impl Tally {
+    fn fails(&self, cell: usize, fail: Fail) {
+        let mut first = self.against.lock().unwrap_or_else(PoisonError::into_inner);
+        if first.as_ref().is_none_or(|(earlier, _)| cell < *earlier) {
+            *first = Some((cell, fail));
+        }
     }
-
-    /// Values, exact or near ones, summed by the corner that they are on. At most two of a sum are not zero.
-    fn row<'b, T: Sum<&'b T>>(&self, corners: [usize; 3], values: &'b [T]) -> [T; 3] {
-        let on = |corner| self.ids.iter().zip(values).filter(move |(id, _)| **id == corner);
-        corners.map(|corner| on(corner).map(|(_, value)| value).sum())
-    }
-}
-
-/// The one common point of the affine hulls, with positive coordinates in both carriers.
-fn meet<'a>(world: &World, line: usize, ids: &'a [usize], names: &'a [usize]) -> Res<Corner<'a>> {
-    let points: Vec<usize> = ids.iter().map(|g| world.base + g).chain(names.iter().copied()).collect();
-    let mut on_mesh = dependence(world, &points).unwrap_or_default();
-    let mut on_shell = on_mesh.split_off(ids.len().min(on_mesh.len()));
-    let sign = sgn(&on_mesh.iter().sum());
-    ensure!(sign != 0, "no-point", "line {line}: the carriers' hulls do not meet in one point");
-    on_mesh.iter_mut().for_each(|x| *x *= sign);
-    on_shell.iter_mut().for_each(|x| *x *= -sign);
-    let inside = on_mesh.iter().chain(&on_shell).all(|x| sgn(x) > 0);
-    ensure!(inside, "outside-carrier", "line {line}: the point is not inside its carriers");
-    let pillars = names.iter().map(|n| n / 3);
-    let weights = [Weights::new(ids.iter().copied(), on_mesh), Weights::new(pillars, on_shell)];
-    Ok(Corner { names, weights })
-}
-
-/// The coefficients `c` with `sum c = 0` and `sum c x = 0`, when they are unique up to a factor. The differences to the
-/// first point are completed with axes to four vectors: where these have one dependence only, each of its coefficients
-/// is a minor. It is that of the differences if it has no axis.
-fn dependence(world: &World, points: &[usize]) -> Option<Vec<BigInt>> {
-    let (&origin, others) = points.split_first()?;
-    let missing = 4usize.checked_sub(others.len())?;
-    let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|axis| axis.map(BigInt::from));
-    let zero = |x: &BigInt| sgn(x) == 0;
-    let mut tail = (0..3).find_map(|first| {
-        let mut d: Vec<Vec3> = others.iter().map(|&p| world.offset([origin, p])).collect();
-        d.extend(axes.iter().cycle().skip(first).take(missing).cloned());
-        let (front, back) = (cross(&d[0], &d[1]), cross(&d[2], &d[3]));
-        let all = vec![dot(&d[1], &back), -dot(&d[0], &back), dot(&d[3], &front), -dot(&d[2], &front)];
-        (!all.iter().all(zero) && all[others.len()..].iter().all(zero)).then_some(all)
-    })?;
-    tail.truncate(others.len());
-    let head = -tail.iter().sum::<BigInt>();
-    Some(std::iter::once(head).chain(tail).collect())
 }

@@ -1,9 +1,12 @@
 //! The certificate's grammar (FORMAT section 2) and the checks of a certificate file alone (section 3).
 
-use crate::Set;
 use crate::line::{Bounds, Line, Names4, Plane, Value, weights};
+use crate::pages::{Lines, Rows, Separations, Text, carrier, cell};
 use crate::{Fail, LIMIT, Res, fail, malformed};
+use foldhash::fast::RandomState;
 use num_bigint::BigInt;
+use std::borrow::Cow;
+use std::hash::BuildHasher;
 
 pub(crate) const CLAIMS: [&str; 9] = [
     "positivity",
@@ -29,23 +32,23 @@ pub(crate) struct Stated {
 }
 
 #[derive(Default)]
-pub(crate) struct Cert {
+pub(crate) struct Cert<'a> {
     pub(crate) claims: Vec<(&'static str, bool)>,
     pub(crate) shell: Stated,
     pub(crate) mesh: Option<Stated>,
     pub(crate) order: Option<Vec<usize>>,
     pub(crate) pinched: (usize, Vec<usize>),
-    pub(crate) blocks: Vec<Block>,
+    pub(crate) blocks: Vec<Block<'a>>,
     /// The claims that have a block, in the order of the blocks.
     pub(crate) owners: Vec<&'static str>,
 }
 
-pub(crate) enum Block {
+pub(crate) enum Block<'a> {
     Positivity(Vec<TetFact>),
-    Overlay(Overlay),
+    Overlay(Box<Overlay<'a>>),
     /// The ids of the `first` line (none in `no-section`).
     NoLift(Vec<usize>, Witness),
-    Separated(Vec<Separation>),
+    Separated(Separations<'a>),
     Crossing(Vec<Crossing>),
     Overlap(Vec<Overlap>),
 }
@@ -57,44 +60,9 @@ pub(crate) struct TetFact {
     pub(crate) value: Value,
 }
 
-/// The numbers of lines that follow each other.
-#[derive(Default)]
-pub(crate) struct Rows {
-    /// The first line's number in the file.
-    first: usize,
-    items: Vec<usize>,
-    /// Where each line's numbers end.
-    ends: Vec<usize>,
-}
-
-impl Rows {
-    fn push(&mut self, row: &[usize]) {
-        self.items.extend_from_slice(row);
-        self.ends.push(self.items.len());
-    }
-
-    pub(crate) fn len(&self) -> usize {
-        self.ends.len()
-    }
-
-    /// The numbers of the `i`-th line.
-    pub(crate) fn of(&self, i: usize) -> &[usize] {
-        let start = i.checked_sub(1).map_or(0, |before| self.ends[before]);
-        &self.items[start..self.ends[i]]
-    }
-
-    /// The number of the `i`-th line in the file.
-    pub(crate) fn line(&self, i: usize) -> usize {
-        self.first + i
-    }
-}
-
-#[derive(Default)]
-pub(crate) struct Overlay {
-    /// The mesh vertices and the names of each `v` line.
-    pub(crate) ids: Rows,
-    pub(crate) names: Rows,
-    pub(crate) cells: Rows,
+pub(crate) struct Overlay<'a> {
+    pub(crate) corners: Lines<'a>,
+    pub(crate) cells: Lines<'a>,
     /// Line, cell, fan triangle; for the mesh, for the middle complex.
     pub(crate) degree: [Vec<(usize, usize, usize)>; 2],
 }
@@ -155,41 +123,83 @@ pub(crate) struct Leg {
 }
 
 pub(crate) struct Parser<'a> {
-    rest: &'a str,
+    text: Text<'a>,
+    /// The part of the text that has been read, where it begins, and what of it is done. The next line is in it, if any.
+    window: Cow<'a, str>,
+    start: usize,
+    done: usize,
     /// The number of the last line read.
     pub(crate) at: usize,
     bounds: Bounds,
 }
 
+/// As many bytes of a file are read together.
+const WINDOW: usize = if cfg!(test) { 7 } else { 1 << 18 };
+
 /// Reads and judges a certificate file.
-pub(crate) fn parse(bytes: &[u8]) -> Res<Cert> {
-    Parser::open(bytes, "homeo-certificate 1")?.cert()
+pub(crate) fn parse(text: Text<'_>) -> Res<Cert<'_>> {
+    Parser::open(text, "homeo-certificate 1")?.cert()
 }
 
 impl<'a> Parser<'a> {
     /// A file with this first line, judged as a whole.
-    pub(crate) fn open(bytes: &'a [u8], magic: &str) -> Res<Self> {
-        if bytes.len() > LIMIT {
+    pub(crate) fn open(text: Text<'a>, magic: &str) -> Res<Self> {
+        let len = text.len();
+        if len > LIMIT {
             return fail(3, "size", "the certificate is larger than 2^30 bytes");
         }
-        let bad = bytes.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e));
-        let text = match (bad, std::str::from_utf8(bytes)) {
-            (None, Ok(text)) => text,
-            (bad, _) => return malformed("bytes", format!("byte {} is not allowed", bad.unwrap_or(0))),
-        };
-        if text != "end\n" && !text.ends_with("\nend\n") {
+        for start in (0..len).step_by(WINDOW) {
+            let part = text.read(start..len.min(start + WINDOW))?;
+            if let Some(at) = part.iter().position(|b| !matches!(b, b'\n' | 0x20..=0x7e)) {
+                return malformed("bytes", format!("byte {} is not allowed", start + at));
+            }
+        }
+        let end = text.read(len.saturating_sub(5)..len)?;
+        if !matches!(&*end, b"end\n" | b"\nend\n") {
             return malformed("truncated", "the last line is not `end`");
         }
-        let mut parser = Parser { rest: text, at: 0, bounds: Bounds::default() };
-        if parser.raw() != Some(magic) {
+        let mut parser =
+            Parser { text, window: Cow::Borrowed(""), start: 0, done: 0, at: 0, bounds: Bounds::default() };
+        parser.fill()?;
+        if parser.raw()?.as_deref() != Some(magic) {
             return malformed("magic", format!("line 1 is not `{magic}`"));
         }
         Ok(parser)
     }
 
+    /// Reads on until the next line is in the window.
+    fn fill(&mut self) -> Res {
+        let mut end = self.start + self.window.len();
+        while end < self.text.len() && !self.ahead().contains('\n') {
+            let all = matches!(self.text, Text::Memory(_));
+            // More for a long line, so that it is not copied many times.
+            let more = if all { self.text.len() } else { WINDOW.max(self.ahead().len()) };
+            let until = self.text.len().min(end + more);
+            let text = match self.text.read(end..until)? {
+                Cow::Borrowed(bytes) => std::str::from_utf8(bytes).ok().map(Cow::Borrowed),
+                Cow::Owned(bytes) => {
+                    String::from_utf8(bytes).ok().map(|more| Cow::Owned(self.ahead().to_owned() + &more))
+                }
+            };
+            let Some(text) = text else { return malformed("bytes", "") };
+            (self.window, self.start, self.done, end) = (text, self.position(), 0, until);
+        }
+        Ok(())
+    }
+
+    /// The part of the window that is not done.
+    fn ahead(&self) -> &str {
+        self.window.get(self.done..).unwrap_or("")
+    }
+
+    /// Where in the text the next line begins.
+    fn position(&self) -> usize {
+        self.start + self.done
+    }
+
     /// The `counts` line, which must state these, and the last one.
     pub(crate) fn finish(&mut self, counts: &[usize]) -> Res {
-        let mut line = self.line("counts")?;
+        let line = self.line("counts")?;
         let mut stated = Vec::new();
         while line.more() {
             stated.push(line.id(usize::MAX)?);
@@ -199,35 +209,65 @@ impl<'a> Parser<'a> {
             return malformed("counts", format!("line {}: the counts are {counts:?}", self.at));
         }
         self.line("end")?.finish()?;
-        if self.rest.is_empty() { Ok(()) } else { Line::new("", self.at + 1, self.bounds).syntax() }
+        if self.position() == self.text.len() {
+            Ok(())
+        } else {
+            Line::new("", self.at + 1, self.bounds).syntax()
+        }
     }
 
     pub(crate) fn starts_with(&self, text: &str) -> bool {
-        self.rest.starts_with(text)
+        self.ahead().starts_with(text)
     }
 
     /// The next line, whatever it starts with.
-    pub(crate) fn any_line(&mut self) -> Line<'a> {
-        Line::new(self.raw().unwrap_or(""), self.at, self.bounds)
+    pub(crate) fn any_line(&mut self) -> Res<Line<'a>> {
+        Ok(Line::new(self.raw()?.unwrap_or_default(), self.at, self.bounds))
     }
 
-    fn raw(&mut self) -> Option<&'a str> {
-        let (line, rest) = self.rest.split_once('\n')?;
-        self.rest = rest;
+    fn raw(&mut self) -> Res<Option<Cow<'a, str>>> {
+        let line = match &self.window {
+            Cow::Borrowed(text) => text[self.done..].split_once('\n').map(|x| Cow::Borrowed(x.0)),
+            Cow::Owned(_) => self.ahead().split_once('\n').map(|x| Cow::Owned(x.0.to_owned())),
+        };
+        let Some(line) = line else { return Ok(None) };
+        self.done += line.len() + 1;
         self.at += 1;
-        Some(line)
+        self.fill()?;
+        Ok(Some(line))
     }
 
     /// The next line, which must start with `word`.
     pub(crate) fn line(&mut self, word: &str) -> Res<Line<'a>> {
-        let mut line = self.any_line();
+        let line = self.any_line()?;
         line.expect(word)?;
         Ok(line)
     }
 
     pub(crate) fn peek(&self, word: &str) -> bool {
-        let line = self.rest.split('\n').next().unwrap_or("");
+        let line = self.ahead().split('\n').next().unwrap_or("");
         line.split(' ').next() == Some(word)
+    }
+
+    /// Lines that start with `word`, one or more (zero or more if `optional`), which are read again later. If one fails,
+    /// those before it.
+    fn pages(
+        &mut self,
+        word: &str,
+        optional: bool,
+        mut read: impl FnMut(&Line<'_>) -> Res,
+    ) -> (Lines<'a>, Res) {
+        let mut lines = Lines::new(self.text, self.bounds, self.at + 1, self.position());
+        let mut result = Ok(());
+        while result.is_ok() && (self.peek(word) || (lines.len() == 0 && !optional)) {
+            result = self.any_line().and_then(|line| {
+                read(&line)?;
+                lines.push(&line.text, self.position());
+                Ok(())
+            });
+        }
+        lines.close();
+        (lines, result)
     }
 
     /// One or more lines (zero or more if `optional`) that start with `word`.
@@ -235,17 +275,16 @@ impl<'a> Parser<'a> {
         &mut self,
         word: &str,
         optional: bool,
-        mut read: impl FnMut(&mut Line<'a>) -> Res<T>,
+        mut read: impl FnMut(&Line<'a>) -> Res<T>,
     ) -> Res<Vec<T>> {
         let mut out = Vec::new();
         while self.peek(word) || (out.is_empty() && !optional) {
-            let mut line = self.line(word)?;
-            out.push(read(&mut line)?);
+            out.push(read(&self.line(word)?)?);
         }
         Ok(out)
     }
 
-    fn cert(&mut self) -> Res<Cert> {
+    fn cert(&mut self) -> Res<Cert<'a>> {
         let mut cert = Cert::default();
         let mut from = 0;
         cert.claims = self.list("claim", false, |line| {
@@ -269,7 +308,7 @@ impl<'a> Parser<'a> {
             cert.mesh = Some(mesh);
         }
         cert.order = self.order()?;
-        let mut line = self.line("pinched")?;
+        let line = self.line("pinched")?;
         let count = line.id(usize::MAX)?;
         let mut ids = Vec::new();
         while line.more() {
@@ -280,7 +319,7 @@ impl<'a> Parser<'a> {
         cert.pinched = (count, ids);
         let mut counts = Vec::new();
         for (name, verdict, owner) in plan {
-            let mut line = self.line("begin")?;
+            let line = self.line("begin")?;
             line.expect(name)?;
             line.finish()?;
             let before = self.at;
@@ -293,7 +332,7 @@ impl<'a> Parser<'a> {
     }
 
     fn stated(&mut self, word: &str) -> Res<Stated> {
-        let mut line = self.line(word)?;
+        let line = self.line(word)?;
         let sha = line.sha()?;
         let (vertices, faces) = (line.id(usize::MAX)?, line.id(usize::MAX)?);
         line.finish()?;
@@ -301,35 +340,35 @@ impl<'a> Parser<'a> {
     }
 
     fn order(&mut self) -> Res<Option<Vec<usize>>> {
-        let mut line = self.line("order")?;
+        let line = self.line("order")?;
         let kind = line.next()?;
         if kind == "id" {
             line.finish()?;
             return Ok(None);
         }
         line.require(kind == "list")?;
-        let ids = line.distinct_ids(self.bounds.shell)?;
+        let mut ids = Vec::new();
+        line.distinct_ids(self.bounds.shell, &mut ids)?;
         let identity = ids.iter().enumerate().all(|(i, &id)| i == id);
         line.require(ids.len() == self.bounds.shell && !identity)?;
         line.finish()?;
         Ok(Some(ids))
     }
 
-    fn block(&mut self, name: &str, certified: bool) -> Res<Block> {
+    fn block(&mut self, name: &'static str, certified: bool) -> Res<Block<'a>> {
         Ok(match name {
             "positivity" => Block::Positivity(self.list("tet", false, tet_fact)?),
-            "overlay" => Block::Overlay(self.overlay()?),
+            "overlay" => Block::Overlay(Box::new(self.overlay()?)),
             "no-section" => Block::NoLift(Vec::new(), self.witness()?),
             "no-order" => {
-                let mut line = self.line("first")?;
-                let ids = line.distinct_ids(self.bounds.shell)?;
+                let line = self.line("first")?;
+                let mut ids = Vec::new();
+                line.distinct_ids(self.bounds.shell, &mut ids)?;
                 line.finish()?;
                 Block::NoLift(ids, self.witness()?)
             }
             _ if certified => {
-                let mut last = None;
-                let word = if name == "i2" { "contact-sep" } else { "sep" };
-                Block::Separated(self.list(word, true, |line| separation(line, name, &mut last))?)
+                return self.separations(name).map(Block::Separated);
             }
             "i2" => Block::Crossing(self.list("contact", false, |line| {
                 let pair = (line.id(line.bounds.triangles)?, line.id(line.bounds.prisms)?);
@@ -355,50 +394,62 @@ impl<'a> Parser<'a> {
         })
     }
 
-    fn overlay(&mut self) -> Res<Overlay> {
-        let mut seen = Set::default();
-        let first = self.at + 1;
-        let [mut ids, mut names] = [(); 2].map(|()| Rows { first, ..Rows::default() });
-        self.list("v", false, |line| {
-            ids.push(&line.mesh_ids()?);
-            names.push(&line.names()?);
-            line.finish()?;
-            // What fits the grammar is written in one way only.
-            if !seen.insert(line.text) {
-                return malformed("duplicate", format!("line {} repeats an earlier one", line.at));
-            }
+    fn separations(&mut self, name: &'static str) -> Res<Separations<'a>> {
+        let (mut last, mut firsts, mut greatest) = (None, Vec::new(), None);
+        let (lines, result) = self.pages(separator(name), true, |line| {
+            let found = separation(line, name, last)?;
+            last = Some((found.pair, found.tet));
+            // Triangles are fewer than 2^32.
+            firsts.push(u32::try_from(found.pair.0).unwrap_or(u32::MAX));
+            greatest = greatest.max(Some(found.pair.1));
             Ok(())
-        })?;
-        drop(seen);
-        let mut cells = Rows { first: self.at + 1, ..Rows::default() };
-        self.list("c", false, |line| {
-            let corners = line.distinct_ids(ids.len())?;
-            line.require(corners.len() >= 3)?;
-            line.finish()?;
-            cells.push(&corners);
+        });
+        result?;
+        Ok(Separations { lines, block: name, firsts, greatest })
+    }
+
+    fn overlay(&mut self) -> Res<Overlay<'a>> {
+        let (hasher, mut hashes, mut rows) = (RandomState::default(), Vec::new(), <[Rows; 2]>::default());
+        let (corners, result) = self.pages("v", false, |line| {
+            rows.iter_mut().for_each(Rows::clear);
+            carrier(line, &mut rows)?;
+            hashes.push(hasher.hash_one(&*line.text));
             Ok(())
-        })?;
+        });
+        // A repetition comes before what is wrong in a later line.
+        corners.different(&hasher, hashes)?;
+        result?;
+        self.bounds.corners = corners.len();
+        // How many fan triangles each cell has.
+        let mut sizes = Vec::new();
+        let (cells, result) = self.pages("c", false, |line| {
+            rows[0].clear();
+            cell(line, &mut rows[0])?;
+            sizes.push(rows[0].items().len() as u32 - 2);
+            Ok(())
+        });
+        result?;
         let mut degree = [Vec::new(), Vec::new()];
         for (kind, list) in ["mesh", "middle"].iter().zip(&mut degree) {
             while list.is_empty()
-                || (*kind == "mesh" && self.rest.starts_with("d mesh "))
+                || (*kind == "mesh" && self.starts_with("d mesh "))
                 || *kind == "middle" && self.peek("d")
             {
-                let mut line = self.line("d")?;
+                let line = self.line("d")?;
                 line.expect(kind)?;
                 let cell = line.id(cells.len())?;
-                let fans = if cell < cells.len() { cells.of(cell).len() - 2 } else { usize::MAX };
+                let fans = sizes.get(cell).map_or(usize::MAX, |&size| size as usize);
                 let fan = line.id(fans)?;
                 line.finish()?;
                 list.push((line.at, cell, fan));
             }
         }
-        Ok(Overlay { ids, names, cells, degree })
+        Ok(Overlay { corners, cells, degree })
     }
 
     fn witness(&mut self) -> Res<Witness> {
         if self.peek("topology") {
-            let mut line = self.line("topology")?;
+            let line = self.line("topology")?;
             let kind = line.next()?;
             line.require(kind == "components" || kind == "euler")?;
             let both = [line.signed(kind == "euler")?, line.signed(kind == "euler")?];
@@ -406,12 +457,12 @@ impl<'a> Parser<'a> {
             return Ok(Witness::Topology(line.at, kind == "euler", both));
         }
         if self.peek("tet") {
-            return Ok(Witness::Tet(tet_fact(&mut self.line("tet")?)?));
+            return Ok(Witness::Tet(tet_fact(&self.line("tet")?)?));
         }
         let mut roots = Vec::new();
         while roots.is_empty() || self.peek("root") {
-            let mut line = self.line("root")?;
-            let at = at(&mut line)?;
+            let line = self.line("root")?;
+            let at = at(&line)?;
             line.finish()?;
             let mut branches: Vec<Branch> = Vec::new();
             while self.peek("branch") {
@@ -424,7 +475,7 @@ impl<'a> Parser<'a> {
     }
 
     fn branch(&mut self, last: Option<&Branch>) -> Res<Branch> {
-        let mut line = self.line("branch")?;
+        let line = self.line("branch")?;
         let names = line.names()?;
         line.require(last.is_none_or(|b| b.names < names))?;
         line.finish()?;
@@ -437,7 +488,7 @@ impl<'a> Parser<'a> {
         } else {
             &["twice", "monodromy"]
         };
-        let mut last = self.any_line();
+        let last = self.any_line()?;
         let word = last.next()?;
         let Some(reason) = allowed.iter().find(|r| **r == word) else { return last.syntax() };
         last.finish()?;
@@ -445,7 +496,7 @@ impl<'a> Parser<'a> {
     }
 
     fn leg(&mut self) -> Res<Leg> {
-        let mut line = self.line("start")?;
+        let line = self.line("start")?;
         let start = line.tet()?;
         line.finish()?;
         let steps = self.list("step", true, |line| {
@@ -492,18 +543,18 @@ fn plan(claim: impl Fn(&str) -> Option<bool>) -> Res<Vec<(&'static str, bool, &'
     Ok(plan)
 }
 
-fn tet_fact(line: &mut Line<'_>) -> Res<TetFact> {
+fn tet_fact(line: &Line<'_>) -> Res<TetFact> {
     let (prism, tet, value) = (line.id(line.bounds.prisms)?, line.tet()?, line.value()?);
     line.finish()?;
     Ok(TetFact { line: line.at, prism, tet, value })
 }
 
-fn at(line: &mut Line<'_>) -> Res<At> {
+fn at(line: &Line<'_>) -> Res<At> {
     Ok(At { line: line.at, triangle: line.id(line.bounds.triangles)?, weights: weights(line, 3)? })
 }
 
 /// The `(i, j)` of a `sep` or `cross` line of the block `name`.
-fn pair(line: &mut Line<'_>, name: &str) -> Result<(usize, usize), Fail> {
+fn pair(line: &Line<'_>, name: &str) -> Result<(usize, usize), Fail> {
     let Bounds { triangles, prisms, .. } = line.bounds;
     let (first, second, itself) = match name {
         "disjoint-mesh" => (triangles, triangles, true),
@@ -516,17 +567,23 @@ fn pair(line: &mut Line<'_>, name: &str) -> Result<(usize, usize), Fail> {
     Ok((i, j))
 }
 
-type Key = (usize, usize, Option<Names4>);
+/// The word that lines of a block of separations start with.
+fn separator(block: &str) -> &'static str {
+    if block == "i2" { "contact-sep" } else { "sep" }
+}
 
-fn separation(line: &mut Line<'_>, name: &str, last: &mut Option<Key>) -> Res<Separation> {
-    let (pair, tet) = if name == "i2" {
+/// What such lines are ascending by.
+type Key = ((usize, usize), Option<Names4>);
+
+/// A line of such a block, and the key of the one before it, if that is to be compared.
+pub(crate) fn separation(line: &Line<'_>, block: &str, last: Option<Key>) -> Res<Separation> {
+    line.expect(separator(block))?;
+    let (pair, tet) = if block == "i2" {
         ((line.id(line.bounds.triangles)?, line.id(line.bounds.prisms)?), Some(line.tet()?))
     } else {
-        (pair(line, name)?, None)
+        (pair(line, block)?, None)
     };
-    let key = Some((pair.0, pair.1, tet));
-    line.require(*last < key)?;
-    *last = key;
+    line.require(last < Some((pair, tet)))?;
     let mut planes = vec![line.plane()?];
     while line.more() {
         planes.push(line.plane()?);

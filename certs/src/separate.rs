@@ -5,20 +5,62 @@ use crate::complex::{classes, distinct};
 use crate::lift::Lift;
 use crate::line::Plane;
 use crate::number::{cross, dot, sgn};
+use crate::pages::Separations;
 use crate::parse::{Crossing, Overlap, Separation};
 use crate::tets::{self, Selected};
 use crate::world::World;
 use crate::{Res, each, show};
 use num_bigint::BigInt;
 
-/// A list of triangles and what they are compared with.
-pub(crate) struct Sets {
-    pub(crate) first: Vec<[usize; 3]>,
-    /// Triangles, or all nine points of prisms, whose tets are meant.
-    pub(crate) second: Vec<Vec<usize>>,
-    /// Whether both are one list: each two of its triangles are a pair.
-    pub(crate) itself: bool,
+/// What is compared: the triangles of the mesh with themselves, with those of a layer, or with prisms, all nine points
+/// of which stand for their tets; the skin with itself.
+pub(crate) enum Sets<'a> {
+    Mesh,
+    Layer(usize),
+    Prisms,
+    Skin(&'a [[usize; 3]]),
 }
+
+impl Sets<'_> {
+    /// Whether both lists are one: each two of its triangles are a pair.
+    fn itself(&self) -> bool {
+        matches!(self, Self::Mesh | Self::Skin(_))
+    }
+
+    /// How many are compared with how many.
+    fn len(&self, world: &World) -> [usize; 2] {
+        match self {
+            Self::Mesh => [world.mesh.len(); 2],
+            Self::Skin(skin) => [skin.len(); 2],
+            _ => [world.mesh.len(), world.shell.len()],
+        }
+    }
+
+    fn first(&self, world: &World, i: usize) -> [usize; 3] {
+        if let Self::Skin(skin) = self { skin[i] } else { world.corners(i) }
+    }
+
+    fn bounds(&self, world: &World, j: usize) -> Aabb {
+        let nine = |v: usize| [3 * v, 3 * v + 1, 3 * v + 2];
+        match self {
+            Self::Layer(layer) => Aabb::of(&world.keys, &world.shell.of(j).map(|v| world.name(v, *layer))),
+            Self::Prisms => Aabb::of(&world.keys, world.shell.of(j).map(nine).as_flattened()),
+            _ => Aabb::of(&world.keys, &self.first(world, j)),
+        }
+    }
+
+    fn second(&self, world: &World, j: usize) -> Points {
+        let three = |[a, b, c]: [usize; 3]| ([a, b, c, 0, 0, 0, 0, 0, 0], 3);
+        match self {
+            Self::Layer(layer) => three(world.shell.of(j).map(|v| world.name(v, *layer))),
+            Self::Prisms => (std::array::from_fn(|i| 3 * world.shell.of(j)[i / 3] + i % 3), 9),
+            _ => three(self.first(world, j)),
+        }
+    }
+}
+
+/// Points, as many as the number says.
+type Points = ([usize; 9], usize);
 
 /// A triangle `a`, and a triangle or a tet `b`.
 struct Pair<'a> {
@@ -84,47 +126,61 @@ impl Pair<'_> {
     }
 }
 
-/// `disjoint-*` or `i2` certified: the lines are about just the pairs that need planes, and their planes separate. The
-/// first triangles are those of the mesh, except for `disjoint-prisms`.
-pub(crate) fn disjoint(world: &World, sets: &Sets, lines: &[Separation]) -> Res {
-    let Sets { first, second, itself } = sets;
-    let tree = Tree::new(second.iter().map(|points| Aabb::of(&world.keys, points)));
-    each(first.len(), |i| {
-        let a = first[i];
-        let bounds = Aabb::of(&world.keys, &a);
-        let [from, to] = [i, i + 1].map(|i| lines.partition_point(|line| line.pair.0 < i));
-        let mut partners = tree.meeting(&bounds);
-        partners.retain(|&j| !*itself || i < j);
-        for j in distinct(partners.into_iter().chain(lines[from..to].iter().map(|line| line.pair.1))) {
-            let tets = if second[j].len() > 3 { tets::steep(world, i, j) } else { Vec::new() };
-            let mut open: Vec<&[usize]> = tets.iter().map(|tet| &tet.names[..]).collect();
-            if second[j].len() == 3 {
-                open.push(&second[j]);
-            }
-            let pair = |b| Pair { world, a, b, itself: *itself };
-            open.retain(|b| Aabb::of(&world.keys, b).meets(&bounds) && !pair(b).separate_alone());
-            // In the order of names; a pair of triangles has at most one line.
-            let start = lines.partition_point(|line| line.pair < (i, j));
-            for line in lines[start..].iter().take_while(|line| line.pair == (i, j)) {
-                let names = line.tet.as_ref().map_or(&second[j][..], |tet| tet);
-                let at = || format!("line {}: triangle {i} and {j}", line.line);
-                let missed = open.first().is_some_and(|b| *b < names);
-                ensure!(!missed, "missing-separation", "before {}: {}", at(), show(open[0]));
-                ensure!(open.first() == Some(&names), "superfluous", "{}", at());
-                let exist = line.planes.iter().all(|plane| plane.points().iter().all(|&x| world.exists(x)));
-                ensure!(exist && pair(names).separate(&line.planes, &a, names), "not-separated", "{}", at());
-                open.remove(0);
-            }
-            ensure!(open.is_empty(), "missing-separation", "triangle {i} and {j}: {}", show(open[0]));
-        }
-        Ok(())
+/// `disjoint-*` or `i2` certified: the lines are about just the pairs that need planes, and their planes separate.
+pub(crate) fn disjoint(world: &World, sets: &Sets<'_>, lines: &Separations<'_>) -> Res {
+    let [many, others] = sets.len(world);
+    let tree = Tree::new(others, |j| sets.bounds(world, j));
+    each(many.div_ceil(SHARD), |shard| {
+        let mut at = shard * SHARD..many.min((shard + 1) * SHARD);
+        let lines = lines.of(at.clone())?;
+        at.try_for_each(|i| {
+            let mut partners = tree.meeting(&Aabb::of(&world.keys, &sets.first(world, i)));
+            partners.retain(|&j| !sets.itself() || i < j);
+            let [from, to] = [i, i + 1].map(|i| lines.partition_point(|line| line.pair.0 < i));
+            one(world, sets, i, partners, &lines[from..to])
+        })
     })
 }
 
+/// First triangles whose lines are read together.
+const SHARD: usize = if cfg!(test) { 2 } else { 64 };
+
+/// The pairs of one first triangle: those whose boxes meet, and those that have lines.
+fn one(world: &World, sets: &Sets<'_>, i: usize, partners: Vec<usize>, lines: &[Separation]) -> Res {
+    let (a, itself) = (sets.first(world, i), sets.itself());
+    let bounds = Aabb::of(&world.keys, &a);
+    for j in distinct(partners.into_iter().chain(lines.iter().map(|line| line.pair.1))) {
+        let (second, n) = sets.second(world, j);
+        let second = &second[..n];
+        let tets = if n > 3 { tets::steep(world, i, j) } else { Vec::new() };
+        let mut open: Vec<&[usize]> = tets.iter().map(|tet| &tet.names[..]).collect();
+        if n == 3 {
+            open.push(second);
+        }
+        let pair = |b| Pair { world, a, b, itself };
+        open.retain(|b| Aabb::of(&world.keys, b).meets(&bounds) && !pair(b).separate_alone());
+        // In the order of names; a pair of triangles has at most one line.
+        let start = lines.partition_point(|line| line.pair.1 < j);
+        for line in lines[start..].iter().take_while(|line| line.pair.1 == j) {
+            let names = line.tet.as_ref().map_or(second, |tet| tet);
+            let at = || format!("line {}: triangle {i} and {j}", line.line);
+            let missed = open.first().is_some_and(|b| *b < names);
+            ensure!(!missed, "missing-separation", "before {}: {}", at(), show(open[0]));
+            ensure!(open.first() == Some(&names), "superfluous", "{}", at());
+            let exist = line.planes.iter().all(|plane| plane.points().iter().all(|&x| world.exists(x)));
+            ensure!(exist && pair(names).separate(&line.planes, &a, names), "not-separated", "{}", at());
+            open.remove(0);
+        }
+        ensure!(open.is_empty(), "missing-separation", "triangle {i} and {j}: {}", show(open[0]));
+    }
+    Ok(())
+}
+
 /// `disjoint-mesh`, `-bottom`, `-top` or `i2` refuted: a point that both have.
-pub(crate) fn crossing(world: &World, sets: &Sets, facts: &[Crossing]) -> Res {
+pub(crate) fn crossing(world: &World, sets: &Sets<'_>, facts: &[Crossing]) -> Res {
     for Crossing { line, pair: (i, j), first, second, contact } in facts {
-        let (a, b) = (sets.first[*i], contact.as_ref().map_or(&sets.second[*j][..], |(tet, _)| tet));
+        let (a, (points, n)) = (sets.first(world, *i), sets.second(world, *j));
+        let b = contact.as_ref().map_or(&points[..n], |(tet, _)| tet);
         let tet = contact.as_ref().and_then(|_| tets::all(world, *j).into_iter().find(|t| t.names == b));
         ensure!(contact.is_none() || tet.is_some(), "unknown-tet", "line {line}");
         let ((x, xw), (y, yw)) = (world.mean(&a, first), world.mean(b, second));
@@ -150,19 +206,19 @@ pub(crate) fn carrier(ids: &[usize], weights: &[BigInt]) -> Vec<usize> {
 
 /// `disjoint-prisms` certified (rule R4): the skin does not meet itself, and a triangle of each connected part of it has
 /// its middle in no other tet.
-pub(crate) fn injective(world: &World, selected: &Selected<'_>, lines: &[Separation]) -> Res {
+pub(crate) fn injective(world: &World, selected: &Selected<'_>, lines: &Separations<'_>) -> Res {
     ensure!(selected.positive(), "not-positive", "a tet of the order");
     let skin = selected.skin();
-    ensure!(lines.iter().all(|l| l.pair.1 < skin.len()), "superfluous", "the skin has {}", skin.len());
-    let second = skin.iter().map(Vec::from).collect();
-    disjoint(world, &Sets { first: skin.clone(), second, itself: true }, lines)?;
+    ensure!(lines.greatest.is_none_or(|j| j < skin.len()), "superfluous", "the skin has {}", skin.len());
+    disjoint(world, &Sets::Skin(&skin), lines)?;
     // Connected across the sides that just two triangles have.
     let sides = |(i, &[a, b, c]): (usize, &[usize; 3])| [([a, b], i), ([a, c], i), ([b, c], i)];
     let mut sides: Vec<_> = skin.iter().enumerate().flat_map(sides).collect();
     sides.sort_unstable();
     let shared = sides.chunk_by(|x, y| x.0 == y.0).filter(|chunk| chunk.len() == 2);
     let lift = Lift::new(world, selected);
-    for i in distinct(classes(skin.len(), shared.map(|chunk| (chunk[0].1, chunk[1].1)))) {
+    let parts = classes(skin.len(), shared.map(|chunk| (chunk[0].1, chunk[1].1)));
+    for i in distinct(parts.into_iter().map(|i| i as usize)) {
         let carriers = lift.carriers(&skin[i], &[1, 1, 1].map(BigInt::from));
         ensure!(carriers.len() == 1, "overlap", "the middle of {} is in another tet", show(&skin[i]));
     }

@@ -33,7 +33,7 @@ impl Tet {
 
 /// The tets that the `i`-th of [`ORDERS`] selects in a prism.
 fn of_order(world: &World, prism: usize, i: usize) -> impl Iterator<Item = Tet> {
-    let corners = ORDERS[i].map(|corner| world.shell.triangles[prism][corner]);
+    let corners = ORDERS[i].map(|corner| world.shell.of(prism)[corner]);
     let layers = [0, 1, 2].map(|layer| corners.map(|v| world.name(v, layer)));
     let all = [0, 1].into_iter().flat_map(move |slab| [0, 1, 2].map(|carried| (slab, carried)));
     all.map(move |(slab, carried)| (layers[slab], layers[slab + 1], carried))
@@ -85,19 +85,19 @@ impl<'a> Selected<'a> {
 
     /// Those of one prism.
     pub(crate) fn of(&self, prism: usize) -> impl Iterator<Item = Tet> {
-        let corners = self.world.shell.triangles[prism];
+        let corners = self.world.shell.of(prism);
         let chosen = ORDERS.iter().position(|o| o.is_sorted_by_key(|&i| self.rank[corners[i]]));
         of_order(self.world, prism, chosen.unwrap_or(0))
     }
 
     /// All of them.
     pub(crate) fn tets(&self) -> impl Iterator<Item = Tet> {
-        (0..self.world.shell.triangles.len()).flat_map(|prism| self.of(prism))
+        (0..self.world.shell.len()).flat_map(|prism| self.of(prism))
     }
 
     /// Whether all are positive.
     pub(crate) fn positive(&self) -> bool {
-        let prisms = (0..self.world.shell.triangles.len()).into_par_iter();
+        let prisms = (0..self.world.shell.len()).into_par_iter();
         prisms.all(|prism| self.of(prism).all(|tet| tet.positive(self.world)))
     }
 

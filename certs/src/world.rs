@@ -3,15 +3,15 @@
 use crate::complex::Complex;
 use crate::input::{Mesh, Shell};
 use crate::line::Value;
-use crate::number::{Vec3, decode, det, key, sgn, sign_near};
+use crate::number::{Vec3, decode, det, key, leading_bits, sgn, sign_near, sign_short};
 use num_bigint::BigInt;
 
 /// Points are numbered: shell name `(id, layer)` is `3 id + layer`, mesh vertex `g` is `3 nS + g`.
 pub(crate) struct World {
     /// Integers in the order of the coordinates, for boxes and equality, which hold all bits.
     pub(crate) keys: Vec<[i64; 3]>,
-    /// The leading bits of the points, for signs.
-    near: Vec<Vec3<i128>>,
+    /// The 40 leading bits of the coordinates: divided by two to the power `exp + bits - 40` and rounded down.
+    short: Vec<Vec3<i64>>,
     /// The bits of all coordinates together: from the largest one's first to the last one of any.
     bits: i64,
     /// A coordinate is an integer times two to this power.
@@ -30,29 +30,19 @@ pub(crate) fn pinched(shell: &Shell) -> Vec<bool> {
 }
 
 impl World {
-    pub(crate) fn new(shell: &Shell, mesh: &Mesh, (middle, surface): (Complex, Complex)) -> Self {
-        let shell_points = (0..shell.layers[0].len()).flat_map(|v| shell.layers.each_ref().map(|l| l[v]));
-        let keys: Vec<_> = shell_points.chain(mesh.points.iter().copied()).map(|p| p.map(key)).collect();
+    pub(crate) fn new(shell: Shell, mesh: Mesh, (middle, surface): (Complex, Complex)) -> Self {
+        let pinched = pinched(&shell);
+        let vertices = pinched.len();
+        let mut keys = Vec::with_capacity(3 * vertices + mesh.points.len());
+        keys.extend((0..vertices).flat_map(|v| shell.layers.each_ref().map(|l| l[v].map(key))));
+        drop(shell);
+        keys.extend(mesh.points.into_iter().map(|p| p.map(key)));
         let parts = || keys.iter().flatten().map(|&x| decode(x)).filter(|x| x.0 != 0);
         let exp = parts().map(|x| x.1).min().unwrap_or(0);
         let top =
             parts().map(|(m, e)| e + 64 - i64::from(m.unsigned_abs().leading_zeros())).max().unwrap_or(0);
-        // Rounded down to multiples of 2^(top - 80), which may give -2^80.
-        let near = |x: i64| match decode(x) {
-            (0, _) => 0,
-            (m, e) if e >= top - 80 => i128::from(m) << (e - top + 80),
-            (m, e) => i128::from(m >> (top - 80 - e).min(63)),
-        };
-        Self {
-            near: keys.iter().map(|p| p.map(near)).collect(),
-            keys,
-            bits: top - exp,
-            exp,
-            base: 3 * shell.layers[0].len(),
-            pinched: pinched(shell),
-            shell: middle,
-            mesh: surface,
-        }
+        let short = keys.iter().map(|p| p.map(|x| leading_bits(x, top, 40) as i64)).collect();
+        Self { keys, short, bits: top - exp, exp, base: 3 * vertices, pinched, shell: middle, mesh: surface }
     }
 
     /// The name of a vertex in a layer.
@@ -67,7 +57,7 @@ impl World {
 
     /// The point numbers of mesh triangle `f`.
     pub(crate) fn corners(&self, f: usize) -> [usize; 3] {
-        self.mesh.triangles[f].map(|v| self.base + v)
+        self.mesh.of(f).map(|v| self.base + v)
     }
 
     /// A coordinate, divided by two to the power `exp`.
@@ -78,14 +68,24 @@ impl World {
 
     /// `y - x`.
     pub(crate) fn offset(&self, [x, y]: [usize; 2]) -> Vec3 {
+        if self.bits <= 126 {
+            return self.narrow_offset([x, y]).map(BigInt::from);
+        }
+        std::array::from_fn(|i| self.integer(y, i) - self.integer(x, i))
+    }
+
+    /// The same, where all coordinates together have at most 126 bits.
+    pub(crate) fn narrow_offset(&self, [x, y]: [usize; 2]) -> Vec3<i128> {
         let short = |point: usize, axis: usize| match decode(self.keys[point][axis]) {
             (0, _) => 0,
             (mantissa, e) => i128::from(mantissa) << (e - self.exp),
         };
-        std::array::from_fn(|i| match self.bits <= 126 {
-            true => BigInt::from(short(y, i) - short(x, i)),
-            false => self.integer(y, i) - self.integer(x, i),
-        })
+        std::array::from_fn(|i| short(y, i) - short(x, i))
+    }
+
+    /// Whether they have at most 80 bits.
+    pub(crate) fn is_narrow(&self) -> bool {
+        self.bits <= 80
     }
 
     /// The determinant of three differences of points.
@@ -95,8 +95,11 @@ impl World {
 
     /// Its sign.
     pub(crate) fn sign(&self, rows: [[usize; 2]; 3]) -> i32 {
-        let near = |[x, y]: [usize; 2]| std::array::from_fn(|i| self.near[y][i] - self.near[x][i]);
-        sign_near(&rows.map(near), self.bits <= 80).unwrap_or_else(|| sgn(&self.det(rows)))
+        let short = |[x, y]: [usize; 2]| std::array::from_fn(|i| self.short[y][i] - self.short[x][i]);
+        let bits = |point: usize, i: usize| leading_bits(self.keys[point][i], self.exp + self.bits, 80);
+        let near = |[x, y]: [usize; 2]| std::array::from_fn(|i| bits(y, i) - bits(x, i));
+        let long = || sign_near(&rows.map(near), self.is_narrow());
+        sign_short(&rows.map(short)).or_else(long).unwrap_or_else(|| sgn(&self.det(rows)))
     }
 
     /// The sign of `det[b - a, c - a, x - a]`: the side of the plane `a b c` on which `x` lies.
@@ -122,7 +125,7 @@ impl World {
     pub(crate) fn rises(&self, f: usize, prism: usize) -> bool {
         let halves = |v: usize| [[3 * v, 3 * v + 1], [3 * v + 1, 3 * v + 2]];
         let up = |half| self.sign(self.dot(f, half)) > 0;
-        self.shell.triangles[prism].iter().all(|&v| self.pinched[v] || halves(v).into_iter().all(up))
+        self.shell.of(prism).iter().all(|&v| self.pinched[v] || halves(v).into_iter().all(up))
     }
 
     /// The exact value of a determinant or dot.

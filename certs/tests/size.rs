@@ -4,8 +4,8 @@
 use std::path::Path;
 
 /// The files that `lib.rs` calls the trusted core.
-const CORE: [&str; 9] =
-    ["number", "complex", "world", "tets", "boxes", "overlay", "orders", "lift", "separate"];
+const CORE: [&str; 10] =
+    ["number", "complex", "world", "tets", "boxes", "shard", "overlay", "orders", "lift", "separate"];
 
 /// Lines that are neither blank, a comment, nor the inclusion of unit tests.
 fn code_lines(file: &Path) -> usize {
@@ -20,7 +20,7 @@ fn the_trusted_core_is_small() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let lines = CORE.map(|name| (name, code_lines(&source.join(format!("{name}.rs")))));
     let total: usize = lines.iter().map(|l| l.1).sum();
-    assert!(total < 960, "{total} lines: {lines:?}");
+    assert!(total < 1350, "{total} lines: {lines:?}");
 }
 
 /// The core of the certificates about meshes, as `meshes/mod.rs` says.
@@ -49,7 +49,8 @@ fn every_file_is_counted_or_named_as_not_core() {
             continue; // unit tests
         }
         let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-        let other = ["lib", "main", "parse", "line", "input", "hdf5", "compose"].contains(&stem.as_str());
+        let other = ["lib", "main", "parse", "line", "pages", "input", "hdf5", "compose", "tests"]
+            .contains(&stem.as_str());
         assert!(other || CORE.contains(&stem.as_str()), "{} is in no list", path.display());
     }
 }

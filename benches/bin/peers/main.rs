@@ -6,6 +6,7 @@
 mod batch;
 mod error;
 mod growth;
+mod long;
 mod orient;
 mod plan;
 mod positivity;
@@ -48,7 +49,7 @@ fn main() -> ExitCode {
 
 type Work = fn(&Plan, &mut Report) -> Res;
 
-const PARTS: [(Part, &str, Work); 8] = [
+const PARTS: [(Part, &str, Work); 9] = [
     (Part::Orient3d, "orient3d", orient::run),
     (Part::Batch, "orient3d, batched", batch::run),
     (Part::Positivity, "claim positivity", positivity::run),
@@ -56,6 +57,7 @@ const PARTS: [(Part, &str, Work); 8] = [
     (Part::Whole, "all claims", whole::run),
     (Part::Real, "real shells", real::run),
     (Part::Growth, "growth", growth::run),
+    (Part::Long, "a long certificate", long::run),
     (Part::Stages, "stages", stages::run),
 ];
 

@@ -20,6 +20,8 @@ pub(crate) enum Part {
     Real,
     /// Time and memory of certify and check against the size
     Growth,
+    /// Memory of the checker on a certificate of 1 GB
+    Long,
     /// Decisions and time by stage
     Stages,
 }

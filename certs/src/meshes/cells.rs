@@ -85,7 +85,7 @@ impl Cells {
     }
 
     /// The class of each of these cells, connected where they share the vertex set of a facet that has all of `ids`.
-    pub(super) fn around(&self, cells: &[usize], ids: &[usize]) -> Vec<usize> {
+    pub(super) fn around(&self, cells: &[usize], ids: &[usize]) -> Vec<u32> {
         let mut sets = Vec::new();
         for (at, &c) in cells.iter().enumerate() {
             let facets = self.facets(c).map(|f| set(self.facet(f)));
@@ -123,7 +123,7 @@ impl Cells {
     }
 
     /// The smallest cell of each cell's component.
-    pub(super) fn components(&self) -> Vec<usize> {
+    pub(super) fn components(&self) -> Vec<u32> {
         classes(self.len(), self.shared().into_iter().map(|(f, g)| (f / self.k, g / self.k)))
     }
 
@@ -190,7 +190,7 @@ impl Cells {
     }
 
     /// Classes of boundary facets that share a vertex (of tets: an edge).
-    fn rim_classes(&self, rim: &[usize]) -> Vec<usize> {
+    fn rim_classes(&self, rim: &[usize]) -> Vec<u32> {
         let mut first = Map::default();
         let mut pairs = Vec::new();
         for (at, &f) in rim.iter().enumerate() {
@@ -203,7 +203,8 @@ impl Cells {
 }
 
 /// Classes given by their smallest members, numbered in this order, and how many there are.
-fn numbered(classes: &[usize]) -> (Vec<usize>, usize) {
-    let smallest = distinct(classes.iter().copied());
-    (classes.iter().map(|c| smallest.binary_search(c).unwrap_or(0)).collect(), smallest.len())
+fn numbered(classes: &[u32]) -> (Vec<usize>, usize) {
+    let classes = || classes.iter().map(|&c| c as usize);
+    let smallest = distinct(classes());
+    (classes().map(|c| smallest.binary_search(&c).unwrap_or(0)).collect(), smallest.len())
 }

@@ -187,7 +187,7 @@ fn one_sign(input: &Input, structure: &Structure, points: &Points) -> Res {
 fn covered_once(input: &Input, structure: &Structure, points: &Points, rim: &Faces) -> Res {
     let cells = &input.cells;
     let bounds = |c: usize| crate::boxes::Aabb::of(&points.keys, &input.points(cells.cell(c)));
-    let tree = crate::boxes::Tree::new((0..cells.len()).map(bounds));
+    let tree = crate::boxes::Tree::new(cells.len(), bounds);
     let mut first = vec![None; structure.loops];
     for (at, &(_, part)) in structure.rim.iter().enumerate() {
         first[part].get_or_insert(at);

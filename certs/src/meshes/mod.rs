@@ -13,20 +13,17 @@ mod read;
 mod witness;
 
 use crate::Res;
+use crate::input::Files;
 use claims::Input;
 use points::Points;
-use std::borrow::Cow;
 
 /// The first line of a certificate that is judged here.
 pub(crate) const MAGIC: &[u8] = b"homeo-meshes 1\n";
 
 /// Checks a certificate; the claim and whether it is certified.
-pub(crate) fn run<'a>(
-    bytes: &[u8],
-    files: impl FnOnce() -> Res<Cow<'a, [Vec<u8>]>>,
-) -> Res<Vec<(&'static str, bool)>> {
+pub(crate) fn run(bytes: &[u8], files: &Files<'_>) -> Res<Vec<(&'static str, bool)>> {
     let cert = parse::parse(bytes)?;
-    let read = read::read(&files()?, cert.inputs.len())?;
+    let read = read::read(files, cert.inputs.len())?;
     for (name, (stated, found)) in ["a", "b"].iter().zip(cert.inputs.iter().zip(&read)) {
         let numbers = (found.space, found.cells.k, found.cells.vertices, found.cells.len());
         let same =

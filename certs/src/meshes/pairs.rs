@@ -24,8 +24,8 @@ impl Faces {
         Aabb::of(&points.keys, real(&self.corners[at]))
     }
 
-    pub(super) fn tree(&self, points: &Points) -> Tree {
-        Tree::new((0..self.ids.len()).map(|at| self.bounds(points, at)))
+    pub(super) fn tree<'a>(&'a self, points: &'a Points) -> Tree<'a> {
+        Tree::new(self.ids.len(), move |at| self.bounds(points, at))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The grammar of certificates about meshes (MESHES section 3).
 
 use crate::line::{Line, Plane, weights};
+use crate::pages::Text;
 use crate::parse::Parser;
 use crate::{Res, malformed};
 use num_bigint::BigInt;
@@ -91,8 +92,8 @@ pub(super) enum What {
 
 /// Reads and judges a certificate file.
 pub(super) fn parse(bytes: &[u8]) -> Res<Cert> {
-    let mut parser = Parser::open(bytes, "homeo-meshes 1")?;
-    let mut line = parser.line("claim")?;
+    let mut parser = Parser::open(Text::Memory(bytes), "homeo-meshes 1")?;
+    let line = parser.line("claim")?;
     let name = line.next()?;
     let Some(&(claim, many)) = CLAIMS.iter().find(|c| c.0 == name) else { return line.syntax() };
     let verdict = line.next()?;
@@ -111,10 +112,10 @@ pub(super) fn parse(bytes: &[u8]) -> Res<Cert> {
 }
 
 fn stated(parser: &mut Parser<'_>, x: &str) -> Res<Stated> {
-    let mut line = parser.line("input")?;
+    let line = parser.line("input")?;
     line.expect(x)?;
     let sha = line.sha()?;
-    let mut one_of = |words: [&str; 2]| {
+    let one_of = |words: [&str; 2]| {
         let word = line.next()?;
         line.require(words.contains(&word))?;
         Ok(usize::from(word.as_bytes()[0] - b'0'))
@@ -146,7 +147,7 @@ impl Cert {
         };
         let mut counts = Vec::new();
         for name in blocks {
-            let mut line = parser.line("begin")?;
+            let line = parser.line("begin")?;
             line.expect(name)?;
             line.finish()?;
             let before = parser.at;
@@ -155,10 +156,10 @@ impl Cert {
                     for input in [0, 1] {
                         let word = ["ray a", "ray b"][input];
                         while self.rays.last().is_none_or(|r| r.input != input) || parser.starts_with(word) {
-                            let mut line = parser.line("ray")?;
-                            let x = self.input(&mut line)?;
+                            let line = parser.line("ray")?;
+                            let x = self.input(&line)?;
                             line.require(x == input)?;
-                            self.rays.push(self.ray(&mut line, x)?);
+                            self.rays.push(self.ray(&line, x)?);
                         }
                     }
                 }
@@ -173,7 +174,7 @@ impl Cert {
                     let mut lines = Vec::new();
                     while self.inputs.get(block).is_none_or(|x| x.space == 3) && parser.peek("sep") {
                         let last = lines.last().map(|s: &Sep| s.pair);
-                        lines.push(self.sep(&mut parser.line("sep")?, block, last)?);
+                        lines.push(self.sep(&parser.line("sep")?, block, last)?);
                     }
                     self.planes.push(lines);
                 }
@@ -201,7 +202,7 @@ impl Cert {
         self.words().any(|word| parser.peek(word))
     }
 
-    fn input(&self, line: &mut Line<'_>) -> Res<usize> {
+    fn input(&self, line: &Line<'_>) -> Res<usize> {
         match line.next()? {
             "a" => Ok(0),
             "b" if self.inputs.len() == 2 => Ok(1),
@@ -210,7 +211,7 @@ impl Cert {
     }
 
     /// `n` cells of an input, ascending.
-    fn cells<const N: usize>(&self, line: &mut Line<'_>, input: usize) -> Res<[usize; N]> {
+    fn cells<const N: usize>(&self, line: &Line<'_>, input: usize) -> Res<[usize; N]> {
         let mut ids = [0; N];
         for id in &mut ids {
             *id = line.id(self.inputs[input].cells)?;
@@ -219,7 +220,7 @@ impl Cert {
         Ok(ids)
     }
 
-    fn ray(&self, line: &mut Line<'_>, input: usize) -> Res<Ray> {
+    fn ray(&self, line: &Line<'_>, input: usize) -> Res<Ray> {
         let vertex = line.id(self.inputs[input].vertices)?;
         let mut direction = [0; 3];
         for x in &mut direction {
@@ -239,7 +240,7 @@ impl Cert {
     }
 
     /// A line of block 0 (`a`), 1 (`b`) or 2 (`between`).
-    fn sep(&self, line: &mut Line<'_>, block: usize, last: Option<(usize, usize)>) -> Res<Sep> {
+    fn sep(&self, line: &Line<'_>, block: usize, last: Option<(usize, usize)>) -> Res<Sep> {
         let faces = |input: usize| match &self.inputs[input] {
             x if x.is_full() => x.cells * x.k,
             x => x.cells,
@@ -256,7 +257,7 @@ impl Cert {
         Ok(Sep { line: line.at, pair, planes })
     }
 
-    fn plane(&self, line: &mut Line<'_>, block: usize) -> Res<Plane> {
+    fn plane(&self, line: &Line<'_>, block: usize) -> Res<Plane> {
         let token = line.next()?;
         let Some((kind, points)) = token.split_once(':') else { return line.syntax() };
         let mut ids = Vec::with_capacity(3);
@@ -278,7 +279,7 @@ impl Cert {
     }
 
     /// `n` vertices, ascending, joined by commas.
-    fn joined(&self, line: &mut Line<'_>, input: usize, n: usize) -> Res<Vec<usize>> {
+    fn joined(&self, line: &Line<'_>, input: usize, n: usize) -> Res<Vec<usize>> {
         let bound = self.inputs[input].vertices;
         let ids = line.next()?.split(',').map(|t| line.id_in(t, bound)).collect::<Res<Vec<_>>>()?;
         line.require(ids.len() == n && ids.is_sorted_by(|a, b| a < b))?;
@@ -286,8 +287,7 @@ impl Cert {
     }
 
     fn fact(&self, parser: &mut Parser<'_>) -> Res<Fact> {
-        let mut line = parser.any_line();
-        let line = &mut line;
+        let line = &parser.any_line()?;
         let word = line.next()?;
         line.require(self.words().any(|w| w == word))?;
         if word == "cross" {
@@ -320,7 +320,7 @@ impl Cert {
         Ok(Fact { line: line.at, input, what })
     }
 
-    fn cross(&self, line: &mut Line<'_>) -> Res<Fact> {
+    fn cross(&self, line: &Line<'_>) -> Res<Fact> {
         let inputs = match line.next()? {
             "a" => [0, 0],
             "b" if self.inputs.len() == 2 => [1, 1],

@@ -18,7 +18,7 @@ enum Meeting {
 }
 
 /// The number of a ray from the point `o` among triangles none of which is flat.
-pub(super) fn number(points: &Points, o: usize, ray: &Ray, faces: &Faces, tree: &Tree) -> Res<i64> {
+pub(super) fn number(points: &Points, o: usize, ray: &Ray, faces: &Faces, tree: &Tree<'_>) -> Res<i64> {
     let (mut crossed, mut sum) = (Vec::new(), 0);
     for at in tree.meeting(&bounds(points, o, ray.direction)) {
         match meeting(points, o, ray.direction, faces.corners[at]) {

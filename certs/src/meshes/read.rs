@@ -2,8 +2,9 @@
 
 use super::cells::Cells;
 use super::points::Hom;
+use crate::input::Files;
 use crate::number::{decode, key};
-use crate::{LIMIT, Res, input, malformed};
+use crate::{Res, input, malformed};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
@@ -24,18 +25,16 @@ const DIGITS: usize = 4000;
 const EXPONENTS: u64 = 1 << 33;
 
 /// Reads the files of an input list.
-pub(super) fn read(files: &[Vec<u8>], many: usize) -> Res<Vec<Complex>> {
+pub(super) fn read(files: &Files<'_>, many: usize) -> Res<Vec<Complex>> {
     if files.len() != many {
         return malformed("input", format!("{} input files where {many} are expected", files.len()));
     }
-    if let Some(i) = files.iter().position(|file| file.len() > LIMIT) {
-        return malformed("input", format!("input file {} is larger than 2^30 bytes", i + 1));
-    }
-    let named = |(i, file): (usize, &Vec<u8>)| {
-        let result = if file.starts_with(b"homeo-complex 1\n") { complex(file) } else { mesh(file) };
+    let named = |i: usize| {
+        let file = files.get(i)?;
+        let result = if file.starts_with(b"homeo-complex 1\n") { complex(&file) } else { mesh(&file) };
         result.or_else(|why| malformed("input", format!("input file {}: {why}", i + 1)))
     };
-    files.iter().enumerate().map(named).collect()
+    (0..many).map(named).collect()
 }
 
 fn hex(sha: Sha256) -> String {
@@ -60,7 +59,7 @@ fn mesh(file: &[u8]) -> Result<Complex, String> {
         sha.update(format!("{a} {b} {c}\n"));
     }
     sha.update("end\n");
-    let corners = mesh.triangles.into_iter().flatten().collect();
+    let corners = mesh.triangles.into_iter().flatten().map(|v| v as usize).collect();
     let cells = Cells { k: 3, corners, vertices: mesh.points.len() };
     let points = mesh
         .points

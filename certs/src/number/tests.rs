@@ -1,6 +1,7 @@
 //! The integer filter against exact determinants; doubles against their bits.
 
-use super::{Vec3, cross, decode, det, key, leading, sgn, sign_near};
+use super::{Integer, Vec3, cross, decode, det, dot, key, leading_bits, sgn, sign_near};
+use ethnum::I256;
 use num_bigint::BigInt;
 
 #[test]
@@ -18,7 +19,7 @@ fn the_filter_agrees_with_exact_signs() {
             let small = BigInt::from(round % 7) << (round % 50);
             rows[2] = std::array::from_fn(|i| &rows[0][i] - &rows[1][i] + &small * i);
         }
-        let near: Vec<i128> = leading(rows.iter().flatten()).collect();
+        let near: Vec<i128> = Integer::leading(rows.as_flattened()).collect();
         match sign_near(&std::array::from_fn(|i| std::array::from_fn(|j| near[3 * i + j])), false) {
             Some(sign) => {
                 assert_eq!(sign, sgn(&det(&rows)), "{rows:?}");
@@ -151,6 +152,46 @@ fn what_is_known_exactly_is_decided() {
     assert!(found.iter().all(|&n| n > 50), "{found:?}");
 }
 
+fn short(x: &BigInt) -> I256 {
+    x.to_string().parse().expect("256 bits")
+}
+
+#[test]
+fn short_vectors_are_multiplied_as_long_ones() {
+    let mut next = random();
+    for _ in 0..2000 {
+        // Differences of numbers below 2^80, and products of them.
+        let [a, b, c]: [Vec3<I256>; 3] =
+            std::array::from_fn(|_| std::array::from_fn(|_| I256::from(next(80)) + I256::from(next(80))));
+        let big = |v: &Vec3<I256>| v.each_ref().map(Integer::big);
+        assert_eq!(big(&cross(&a, &b)), cross(&big(&a), &big(&b)));
+        assert_eq!(dot(&cross(&a, &b), &c).big(), det(&[big(&a), big(&b), big(&c)]));
+    }
+}
+
+#[test]
+fn the_leading_bits_of_doubles() {
+    let values =
+        [1.0, 1.5, 0.1, 1e308, 1e-308, f64::from_bits(1), f64::MAX, f64::MIN_POSITIVE, 5e-324 * 77.0];
+    let all: Vec<f64> = values.iter().flat_map(|x| [*x, -x]).chain([0.0]).collect();
+    for (&x, &greater) in all.iter().flat_map(|x| all.iter().map(move |y| (x, y))) {
+        let (mantissa, e) = decode(key(greater.to_bits()));
+        let top = e + 64 - i64::from(mantissa.unsigned_abs().leading_zeros());
+        if x.abs() > greater.abs() {
+            continue;
+        }
+        for bits in [40, 80] {
+            let near = BigInt::from(leading_bits(key(x.to_bits()), top, bits));
+            // The value in units of 2^-1100, and those of the leading bits.
+            let (mantissa, e) = decode(key(x.to_bits()));
+            let value = if mantissa == 0 { BigInt::ZERO } else { BigInt::from(mantissa) << (e + 1200) };
+            let unit = BigInt::from(1) << (top - bits + 1200);
+            assert!(&near * &unit <= value && value < (&near + 1) * &unit, "{x:e} {greater:e} {bits}");
+            assert!(near.magnitude() <= BigInt::from(1u128 << bits).magnitude(), "{x:e} {greater:e}");
+        }
+    }
+}
+
 #[test]
 fn leading_bits_are_rounded_down() {
     let mut next = random();
@@ -165,7 +206,12 @@ fn leading_bits_are_rounded_down() {
                 x
             }
         });
-        let near: Vec<i128> = leading(numbers.iter()).collect();
+        let near: Vec<i128> = Integer::leading(&numbers[..]).collect();
+        if numbers.iter().all(|x| x.bits() < 255) {
+            let short: Vec<I256> = numbers.iter().map(short).collect();
+            assert_eq!(I256::leading(&short).collect::<Vec<_>>(), near, "{numbers:?}");
+            assert!(short.iter().map(Integer::big).eq(numbers.iter().cloned()));
+        }
         let most = numbers.iter().map(BigInt::bits).max().unwrap_or(0);
         for (x, near) in numbers.iter().zip(&near) {
             // Both times 2^80 and the common power of two.

@@ -15,7 +15,7 @@ fn world(points: &[[i32; 3]]) -> World {
     let shell = Shell { layers, prisms: vec![[0, 1, 2]] };
     let mesh = Mesh { points: points[4..].iter().map(bits).collect(), triangles: vec![[0, 1, 2]] };
     let complex = || Complex::new(vec![[0, 1, 2]], 3, "").unwrap_or_else(|_| panic!("a triangle"));
-    World::new(&shell, &mesh, (complex(), complex()))
+    World::new(shell, mesh, (complex(), complex()))
 }
 
 /// The signs of a point's coordinates in the tet, positive inside.

@@ -12,7 +12,7 @@ fn world(points: &[[f64; 3]]) -> World {
     let shell = Shell { layers: [vec![bits[0]], vec![bits[1]], vec![bits[2]]], prisms: vec![] };
     let mesh = Mesh { points: bits[3..].to_vec(), triangles: vec![] };
     let complex = || Complex::new(vec![], 1, "").unwrap_or_else(|_| panic!("nothing"));
-    World::new(&shell, &mesh, (complex(), complex()))
+    World::new(shell, mesh, (complex(), complex()))
 }
 
 /// The coordinate times `2^1074`.
