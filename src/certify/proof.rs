@@ -69,7 +69,10 @@ pub struct ClaimResult {
     /// Wall-clock seconds spent on it beyond those of the claims before. `section` and `disjoint` are decided at the same
     /// time, so that their sum may exceed the time of the whole.
     pub seconds: f64,
-    /// Counts.
+    /// Counts. `decided_by_filter`, `decided_by_fixed_width` and `decided_by_big_integer` are there for every claim that was
+    /// looked at, not only implied: how the signs of determinants and dots of input points were decided that the verdict took
+    /// (of `i2`: of the dots). Comparisons of coordinates and the exact points of witnesses are no such signs. A sign that two
+    /// threads took, where one thread takes it once, counts once.
     pub counts: Vec<Count>,
     /// Of [`Claim::Disjoint`]: its parts.
     pub parts: Vec<Part>,
@@ -104,6 +107,8 @@ impl Outcome {
 pub(crate) struct Facts {
     pub(crate) positivity: Option<Positivity>,
     pub(crate) section: Option<Section>,
+    /// How signs were decided on the way to it.
+    pub(crate) section_stages: StageCounts,
     pub(crate) all_orders: Option<Implied<AllOrders>>,
     /// Against the mesh itself, bottom and top.
     pub(crate) disjoint: Option<[Disjoint; 3]>,
@@ -233,8 +238,8 @@ fn about_mesh(
         || wanted.contains(&Claim::Section).then(lift),
         || wanted.contains(&Claim::Disjoint).then(apart),
     );
-    if let Some((section, all_orders, spent)) = lifts.transpose()? {
-        (facts.section, facts.all_orders) = (Some(section), all_orders);
+    if let Some((section, stages, all_orders, spent)) = lifts.transpose()? {
+        (facts.section, facts.section_stages, facts.all_orders) = (Some(section), stages, all_orders);
         seconds.0.extend(spent.0);
     }
     if let Some((parts, spent)) = parts {
@@ -255,11 +260,12 @@ fn lifted(
     wanted: &BTreeSet<Claim>,
     before: &Facts,
     observer: &dyn Observer,
-) -> Result<(Section, Option<Implied<AllOrders>>, Seconds), CertifyError> {
+) -> Result<(Section, StageCounts, Option<Implied<AllOrders>>, Seconds), CertifyError> {
     let mut seconds = Seconds::default();
-    let section = seconds.of(Claim::Section, || section::decide(cx, observer))?;
+    let mut stages = StageCounts::default();
+    let section = seconds.of(Claim::Section, || section::decide(cx, observer, &mut stages))?;
     if !wanted.contains(&Claim::SectionAllOrders) {
-        return Ok((section, None, seconds));
+        return Ok((section, stages, None, seconds));
     }
     let all_orders = seconds.of(Claim::SectionAllOrders, || match &section {
         _ if before.verdict(Claim::Positivity) == Some(Verdict::Refuted) => {
@@ -268,7 +274,7 @@ fn lifted(
         Section::Refuted(_) => Ok(Implied::Refuted(Claim::Section)),
         Section::Certified(lifts) => orders::decide(cx, lifts, order, observer).map(Implied::Decided),
     })?;
-    Ok((section, Some(all_orders), seconds))
+    Ok((section, stages, Some(all_orders), seconds))
 }
 
 fn disjoint_from_all(
@@ -393,8 +399,9 @@ fn section_result(facts: &Facts, out: &mut ClaimResult) {
             out.count("overlay_triangles", lifts.iter().map(triangles).sum());
         }
         Some(Section::Refuted(witness)) => no_lift(witness, "", out),
-        None => {}
+        None => return,
     }
+    out.stages(&facts.section_stages);
 }
 
 /// A witness against every lift, in words. "Not a section" is what it shows, never "not bijective".
@@ -474,7 +481,8 @@ fn all_orders_result(facts: &Facts, out: &mut ClaimResult) {
             out.counts.push(Count { what: "pairs_with_exact_test", count: stats.exceptions });
             out.stages(&stats.stages);
         }
-        Some(Implied::Decided(AllOrders::Refuted { first, witness })) => {
+        Some(Implied::Decided(AllOrders::Refuted { first, witness, stats })) => {
+            out.stages(&stats.stages);
             let ids: Vec<String> = first.iter().map(ToString::to_string).collect();
             no_lift(witness, &format!(", in the vertex order that begins {}", ids.join(" ")), out);
         }
@@ -504,6 +512,7 @@ fn disjoint_result(facts: &Facts, out: &mut ClaimResult) {
     }
     out.count("pairs", found.iter().map(|p| usize::try_from(p.pairs).unwrap_or(0)).sum());
     out.count("pairs_with_stated_planes", found.iter().map(|p| p.separations.len()).sum());
+    out.stages(&found.iter().map(|p| p.stages).sum());
 }
 
 fn i2_result(facts: &Facts, out: &mut ClaimResult) {
@@ -536,6 +545,7 @@ fn i2_result(facts: &Facts, out: &mut ClaimResult) {
 
 fn prisms_result(facts: &Facts, out: &mut ClaimResult) {
     let Some(found) = &facts.prisms else { return };
+    out.stages(&found.stages);
     if let Some(bad) = &found.bad {
         let (tet, value) = (write::names(&bad.names), write::value(&bad.value));
         let text = format!("tet {tet} of prism {} has determinant {value}", bad.prism);

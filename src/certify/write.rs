@@ -151,7 +151,7 @@ pub(crate) fn certificate(subject: &Subject<'_>, facts: &Facts) -> String {
         }
         None => {}
     }
-    if let Some(Implied::Decided(AllOrders::Refuted { first, witness })) = &facts.all_orders {
+    if let Some(Implied::Decided(AllOrders::Refuted { first, witness, .. })) = &facts.all_orders {
         out.begin("no-order");
         out.fact(format_args!("first {}", joined(first, " ")));
         no_lift(witness, &mut out);
