@@ -1,7 +1,9 @@
-//! Clipping by signs against clipping by exact coordinates; lifts looked ahead of by one core and by many; decisions counted.
+//! Clipping by signs against clipping by exact coordinates; lifts looked ahead of by one core and by many; decisions
+//! counted; certificates written in pieces.
 
 mod sequential;
 mod stages;
+mod streamed;
 
 use dashu_ratio::RBig;
 
