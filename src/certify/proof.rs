@@ -293,7 +293,7 @@ fn about_mesh(
         || wanted.contains(&Claim::Section).then(lift),
         || wanted.contains(&Claim::Disjoint).then(apart),
     );
-    if let Some((section, stages, all_orders, spent)) = lifts.transpose()? {
+    if let Some(Lifted { section, stages, all_orders, seconds: spent }) = lifts.transpose()? {
         (facts.section, facts.section_stages, facts.all_orders) = (Some(section), stages, all_orders);
         seconds.0.extend(spent.0);
     }
@@ -309,18 +309,27 @@ fn about_mesh(
 }
 
 /// The claims about a lift, and the time for each.
+struct Lifted {
+    section: Section,
+    /// How signs were decided on the way to `section`.
+    stages: StageCounts,
+    all_orders: Option<Implied<AllOrders>>,
+    seconds: Seconds,
+}
+
+/// Decides the claims about a lift.
 fn lifted(
     cx: Lifting<'_>,
     order: &VertexOrder,
     wanted: &BTreeSet<Claim>,
     before: &Facts,
     observer: &dyn Observer,
-) -> Result<(Section, StageCounts, Option<Implied<AllOrders>>, Seconds), CertifyError> {
+) -> Result<Lifted, CertifyError> {
     let mut seconds = Seconds::default();
     let mut stages = StageCounts::default();
     let section = seconds.of(Claim::Section, || section::decide(cx, observer, &mut stages))?;
     if !wanted.contains(&Claim::SectionAllOrders) {
-        return Ok((section, stages, None, seconds));
+        return Ok(Lifted { section, stages, all_orders: None, seconds });
     }
     let all_orders = seconds.of(Claim::SectionAllOrders, || match &section {
         _ if before.verdict(Claim::Positivity) == Some(Verdict::Refuted) => {
@@ -329,7 +338,7 @@ fn lifted(
         Section::Refuted(_) => Ok(Implied::Refuted(Claim::Section)),
         Section::Certified(lifts) => orders::decide(cx, lifts, order, observer).map(Implied::Decided),
     })?;
-    Ok((section, stages, Some(all_orders), seconds))
+    Ok(Lifted { section, stages, all_orders: Some(all_orders), seconds })
 }
 
 fn disjoint_from_all(
