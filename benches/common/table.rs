@@ -2,12 +2,14 @@
 
 use std::fmt::Write;
 
-/// The median of a few measurements; NaN for none.
+/// The median of a few measurements, of an even number the mean of the two in the middle; NaN for none.
 #[must_use]
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+    let at = |i: usize| sorted.get(i).copied().unwrap_or(f64::NAN);
+    let half = sorted.len() / 2;
+    if sorted.len() % 2 == 1 { at(half) } else { 0.5 * (at(half.wrapping_sub(1)) + at(half)) }
 }
 
 /// The smallest of a few measurements; infinite for none.

@@ -18,6 +18,7 @@ use crate::certify::survey::{Failure, Outside, survey};
 use crate::certify::write::{names, value};
 use crate::certify::{Ending, Observer, VertexOrder};
 use crate::mesh::Connectivity;
+use crate::predicate::StageCounts;
 use crate::shell::Shell;
 
 /// Surveys a valid mesh in a valid shell; `None` where a tet of the order is not positive, so that there is nothing to
@@ -38,7 +39,7 @@ pub(crate) fn places(
         boundary: &edge,
     };
     let complex = TetComplex::new(shell, &middle, &wall, &VertexOrder::Id.ranks(shell.middle.len()));
-    if complex.first_not_positive().is_some() {
+    if complex.first_not_positive(&mut StageCounts::default()).is_some() {
         return Ok(None);
     }
     let cx = Lifting { mesh: &mesh, complex: &complex };

@@ -3,6 +3,7 @@
 use super::clip::{Mask, SIDES};
 use super::complex::MeshView;
 use super::lift::{Carriers, Lift, Lifting, Reason};
+use crate::predicate::StageCounts;
 
 /// A piece that was found, with all that adding it to a lift needs.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +14,18 @@ pub(crate) struct Found {
     len: u8,
     /// What is wrong with it, looked at alone.
     pub(super) wrong: Option<Reason>,
+}
+
+/// A piece that was tried.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tried {
+    pub(super) found: Found,
+    /// Does it have the side?
+    pub(super) fits: bool,
+    /// Decisions about tets before it that hold no piece, since the piece tried before this one.
+    pub(super) before: StageCounts,
+    /// Decisions about the piece.
+    pub(super) stages: StageCounts,
 }
 
 impl Found {
@@ -32,8 +45,9 @@ pub(super) enum Across {
     Boundary,
     /// The lift is no section.
     Wrong(Reason),
-    /// Pieces with this side, in the order in which they are tried: so many of [`Ahead::found`]. The last one may be known.
-    Pieces { count: u8, then_known: bool },
+    /// Pieces, in the order in which they are tried: so many of [`Ahead::tried`]. After them comes one that is known and has
+    /// the side, or none; `after`: decisions about tets in between that hold no piece.
+    Pieces { count: u32, then_known: bool, after: StageCounts },
 }
 
 /// What lies across the sides of some pieces, in their order.
@@ -41,7 +55,7 @@ pub(super) enum Across {
 pub(super) struct Ahead {
     /// Piece, side, what lies there; the sides of a piece together, from the first one on.
     pub(super) sides: Vec<(u32, u8, Across)>,
-    pub(super) found: Vec<Found>,
+    pub(super) tried: Vec<Tried>,
 }
 
 /// A side of a piece: its ends in the direction of the neighbour, and what it lies in.
@@ -67,7 +81,7 @@ impl Ahead {
     /// Forgets all, but keeps its memory.
     pub(super) fn clear(&mut self) {
         self.sides.clear();
-        self.found.clear();
+        self.tried.clear();
     }
 
     /// Looks across all sides of a piece. Pieces that the lift has by then end the search as they would later on, so that what
@@ -86,28 +100,31 @@ impl Ahead {
         }
     }
 
-    /// The pieces of `face` around a simplex of `tet` that have the side.
+    /// The pieces of `face` around a simplex of `tet`, until it is clear which have the side.
     fn pieces(&mut self, cx: &Lifting<'_>, lift: &Lift, face: u32, tet: u32, side: &Side) -> Across {
-        let (mut count, mut positive) = (0, 0);
+        let (mut count, mut positive, mut before) = (0, 0, StageCounts::default());
         for tet in cx.complex.around(tet, side.along.shell()) {
             if let Some(known) = lift.get(face, tet) {
                 if has_side(lift.corners_of(known), side.ends) {
-                    return Across::Pieces { count, then_known: true };
+                    return Across::Pieces { count, then_known: true, after: before };
                 }
                 continue;
             }
-            let Some(found) = find(cx, face, tet).filter(|f| has_side(f.corners(), side.ends)) else {
+            let mut stages = StageCounts::default();
+            let Some(found) = find(cx, face, tet, &mut stages) else {
+                before += stages;
                 continue;
             };
-            self.found.push(found);
+            let fits = has_side(found.corners(), side.ends);
+            self.tried.push(Tried { found, fits, before: std::mem::take(&mut before), stages });
             count += 1;
-            positive += u8::from(found.wrong != Some(Reason::Fold));
+            positive += u8::from(fits && found.wrong != Some(Reason::Fold));
             // A fold is the end. So are two: along a wall a coplanar triangle is a piece of either tet; the first is enough.
-            if found.wrong == Some(Reason::Fold) || positive == 2 {
+            if fits && found.wrong == Some(Reason::Fold) || positive == 2 {
                 break;
             }
         }
-        Across::Pieces { count, then_known: false }
+        Across::Pieces { count, then_known: false, after: before }
     }
 }
 
@@ -130,8 +147,8 @@ fn across(mesh: &MeshView<'_>, face: u32, side: Mask) -> Option<u32> {
 }
 
 /// The piece of `face` in `tet`, under the half-open rule, looked at alone: is it a fold, does it touch bottom or top?
-pub(super) fn find(cx: &Lifting<'_>, face: u32, tet: u32) -> Option<Found> {
-    let polygon = cx.piece(face, tet)?;
+pub(super) fn find(cx: &Lifting<'_>, face: u32, tet: u32, stages: &mut StageCounts) -> Option<Found> {
+    let polygon = cx.piece(face, tet, stages)?;
     let none = (0, cx.carriers(face, tet, 0));
     let mut out = Found { face, tet, corners: [none; Found::CORNERS], len: 0, wrong: None };
     for (slot, corner) in out.corners.iter_mut().zip(polygon.corners()) {
@@ -139,7 +156,7 @@ pub(super) fn find(cx: &Lifting<'_>, face: u32, tet: u32) -> Option<Found> {
         out.len += 1;
     }
     let cap = || out.corners().iter().position(|(_, c)| cx.complex.in_cap(c.shell()));
-    out.wrong = if cx.dot(face, tet).is_positive() {
+    out.wrong = if cx.dot(face, tet, stages).is_positive() {
         cap().map(|corner| Reason::Cap { corner: corner as u8 })
     } else {
         Some(Reason::Fold)

@@ -4,7 +4,7 @@
 //! on (`f`'s sides, the tet's faces), and its side of a further face is the sign of one `orient3d` or dot of input
 //! points. Constructing corners as rationals was the alternative; the numbers grow and every sign costs a big integer.
 
-use crate::predicate::{Sign, dot_sign, orient3d};
+use crate::predicate::{Sign, StageCounts, dot_sign_staged, orient3d_staged};
 
 type Point = [f64; 3];
 
@@ -85,49 +85,49 @@ fn parity(p: [usize; 4]) -> Sign {
 
 impl Clipper<'_> {
     /// Sign of the tet's barycentric coordinate `m` at a corner.
-    fn sign(&self, corner: Corner, m: u8) -> Sign {
+    fn sign(&self, corner: Corner, m: u8, stages: &mut StageCounts) -> Sign {
         match corner.origin {
             Origin::Corner(i) => self.table[usize::from(m)][usize::from(i)],
-            Origin::SideFace(a, k) => self.sign_side_face(a, k, m),
-            Origin::FaceFace(k, l) => self.sign_face_face(k, l, m),
+            Origin::SideFace(a, k) => self.sign_side_face(a, k, m, stages),
+            Origin::FaceFace(k, l) => self.sign_face_face(k, l, m, stages),
         }
     }
 
     /// With `x` on `p q` where `mu_k` vanishes, `mu_m(x)` has the sign of
     /// `s (mu_m(p) mu_k(q) - mu_m(q) mu_k(p))`, `s` the sign of `mu_k(q)`; the minor is, up to the order of the
     /// indices and the tet's positive volume, the volume of `p q y_i y_j` over the two other vertices.
-    fn sign_side_face(&self, a: u8, k: u8, m: u8) -> Sign {
+    fn sign_side_face(&self, a: u8, k: u8, m: u8, stages: &mut StageCounts) -> Sign {
         if m == k {
             return Sign::Zero;
         }
         let p = (usize::from(a) + 1) % 3;
         let q = (usize::from(a) + 2) % 3;
         let (i, j) = others(m, k);
-        let minor = orient3d(self.f[p], self.f[q], self.tet[i], self.tet[j]);
+        let minor = stages.note(orient3d_staged(self.f[p], self.f[q], self.tet[i], self.tet[j]));
         self.table[usize::from(k)][q] * parity([usize::from(m), usize::from(k), i, j]) * minor
     }
 
     /// The corner is where the tet's edge line `y_i y_j` (the one on both faces) meets the plane `h = 0`:
     /// `mu_i = h_j / (h_j - h_i)`.
-    fn sign_face_face(&self, k: u8, l: u8, m: u8) -> Sign {
+    fn sign_face_face(&self, k: u8, l: u8, m: u8, stages: &mut StageCounts) -> Sign {
         if m == k || m == l {
             return Sign::Zero;
         }
         let (i, j) = others(k, l);
         let (this, other) = if usize::from(m) == i { (i, j) } else { (j, i) };
         let [a, b, c] = self.f;
-        let height = orient3d(a, b, c, self.tet[other]);
-        height * dot_sign(a, b, c, self.tet[this], self.tet[other])
+        let height = stages.note(orient3d_staged(a, b, c, self.tet[other]));
+        height * stages.note(dot_sign_staged(a, b, c, self.tet[this], self.tet[other]))
     }
 
     /// The polygon cut with the half space `mu_k >= 0`; `None` when nothing of positive area is left.
-    fn cut(&self, poly: &Polygon, k: u8) -> Option<Polygon> {
+    fn cut(&self, poly: &Polygon, k: u8, stages: &mut StageCounts) -> Option<Polygon> {
         let bit = 1 << (3 + k);
         let n = poly.len;
         let mut signs = [Sign::Zero; 8];
         let mut inside = false;
         for (slot, corner) in signs.iter_mut().zip(poly.corners()) {
-            *slot = self.sign(*corner, k);
+            *slot = self.sign(*corner, k, stages);
             inside |= *slot == Sign::Positive;
         }
         if !inside {
@@ -163,14 +163,14 @@ fn crossing(here: Corner, there: Corner, k: u8, coplanar: Option<u8>) -> Corner 
 
 /// The polygon `f` meets the closed tet in, or `None` when that has no area. The tet must be positive.
 ///
-/// Cost: twelve `orient3d` and one further predicate a corner and face.
-pub(crate) fn clip(f: [&Point; 3], tet: [&Point; 4]) -> Option<Polygon> {
+/// Cost: twelve `orient3d` and at most two further predicates a corner and face.
+pub(crate) fn clip(f: [&Point; 3], tet: [&Point; 4], stages: &mut StageCounts) -> Option<Polygon> {
     let mut table = [[Sign::Zero; 3]; 4];
     for k in 0..4 {
         let mut with = tet;
         for i in 0..3 {
             with[k] = f[i];
-            table[k][i] = orient3d(with[0], with[1], with[2], with[3]);
+            table[k][i] = stages.note(orient3d_staged(with[0], with[1], with[2], with[3]));
         }
         // Nothing strictly inside this face and not in its plane: no area, whatever the other faces say.
         let row = table[k];
@@ -188,7 +188,7 @@ pub(crate) fn clip(f: [&Point; 3], tet: [&Point; 4]) -> Option<Polygon> {
             let n = poly.len;
             poly.corners.iter_mut().take(n).for_each(|c| c.mask |= 1 << (3 + k));
         } else {
-            poly = clipper.cut(&poly, k)?;
+            poly = clipper.cut(&poly, k, stages)?;
         }
     }
     (poly.len >= 3).then_some(poly)

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 use crate::mesh::connectivity::{Connectivity, Side};
-use crate::predicate::orient3d;
+use crate::predicate::{StageCounts, orient3d_staged};
 use crate::shell::{Layer, Name, Shell, Tet};
 
 /// Edges and vertices on the boundary of an oriented manifold of triangles.
@@ -50,6 +50,9 @@ impl Boundary {
         }
     }
 }
+
+/// Tets that one core looks at.
+const SHARE: usize = 1 << 12;
 
 /// `S_<`: the tets that one vertex order selects, indexed by the names that they hold.
 #[derive(Debug)]
@@ -172,13 +175,24 @@ impl<'a> TetComplex<'a> {
         self.boundary.holds(names.iter().map(|n| n.vertex))
     }
 
-    /// The first tet that is not positive.
-    pub(crate) fn first_not_positive(&self) -> Option<u32> {
-        let bad = |tet: &Tet| {
-            let [a, b, c, d] = tet.names.map(|n| self.shell.position(n));
-            !orient3d(a, b, c, d).is_positive()
+    /// The first tet that is not positive. Counts the tets up to it, whatever other threads have looked at beyond.
+    pub(crate) fn first_not_positive(&self, stages: &mut StageCounts) -> Option<u32> {
+        let first_of = |tets: &[Tet]| {
+            let mut counts = StageCounts::default();
+            let bad = |tet: &Tet| {
+                let [a, b, c, d] = tet.names.map(|n| self.shell.position(n));
+                !counts.note(orient3d_staged(a, b, c, d)).is_positive()
+            };
+            (tets.iter().position(bad), counts)
         };
-        self.tets.par_iter().position_first(bad).and_then(|id| u32::try_from(id).ok())
+        let parts: Vec<_> = self.tets.par_chunks(SHARE).map(first_of).collect();
+        for (k, (first, counts)) in parts.into_iter().enumerate() {
+            *stages += counts;
+            if let Some(i) = first {
+                return u32::try_from(k * SHARE + i).ok();
+            }
+        }
+        None
     }
 }
 

@@ -11,7 +11,7 @@ use super::pairs::BoxTree;
 use super::separate::{Few, Named, Pair, PlaneName, PointName};
 use crate::mesh::{Connectivity, TriMesh};
 use crate::number::dyadic::scale_points;
-use crate::predicate::same_point;
+use crate::predicate::{StageCounts, same_point};
 use crate::shell::{Layer, Shell};
 
 /// What the mesh is compared with.
@@ -49,6 +49,8 @@ pub(crate) struct Disjoint {
     pub(crate) separations: Vec<(u32, u32, Vec<PlaneName>)>,
     /// Pairs that share more than they may, ascending.
     pub(crate) crossings: Vec<Crossing>,
+    /// How the signs on the way were decided.
+    pub(crate) stages: StageCounts,
 }
 
 /// What a pair turned out to be.
@@ -112,6 +114,7 @@ pub(crate) fn decide(
         let part = part?;
         out.pairs += part.pairs;
         out.by_own_plane += part.by_own_plane;
+        out.stages += part.stages;
         out.separations.extend(part.separations);
         out.crossings.extend(part.crossings);
     }
@@ -141,7 +144,7 @@ impl<'a> Job<'a> {
         let near = tree.meeting(&self.first(i).map(|n| n.at));
         for j in near.into_iter().filter(|&j| self.about != About::Mesh || j > i) {
             out.pairs += 1;
-            match self.pair(i, j)? {
+            match self.pair(i, j, &mut out.stages)? {
                 Found::OwnPlane => out.by_own_plane += 1,
                 Found::Planes(planes) => out.separations.push((i, j, planes)),
                 Found::Crossing(crossing) => out.crossings.push(*crossing),
@@ -150,7 +153,7 @@ impl<'a> Job<'a> {
         Ok(out)
     }
 
-    fn pair(&self, i: u32, j: u32) -> Result<Found, CertifyError> {
+    fn pair(&self, i: u32, j: u32, stages: &mut StageCounts) -> Result<Found, CertifyError> {
         let (a, b) = (self.first(i), self.second(j));
         let exact_common = self.about == About::Mesh;
         let points: Few<Named<'_>> = a.into_iter().chain(b).collect();
@@ -164,10 +167,10 @@ impl<'a> Job<'a> {
         });
         let common = common.collect();
         let pair = Pair { common, points, split: 3, exact_common };
-        if pair.closed_by([0, 1, 2]) || pair.closed_by([3, 4, 5]) {
+        if [[0, 1, 2], [3, 4, 5]].into_iter().any(|own| pair.closed_by_staged(own, stages)) {
             return Ok(Found::OwnPlane);
         }
-        match pair.separation() {
+        match pair.separation_staged(stages) {
             Some(planes) => Ok(Found::Planes(planes)),
             None => {
                 let allowed: Few<usize> = (3..6).filter(|&k| self.is_pinch(&pair.points[k])).collect();

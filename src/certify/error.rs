@@ -56,6 +56,9 @@ pub enum CertifyError {
     /// The caller asked to stop.
     #[error("interrupted before a verdict")]
     Cancelled,
+    /// The certificate could not be written.
+    #[error("the certificate: not written: {0}")]
+    Write(#[source] std::io::Error),
     /// The program contradicts itself. Never a verdict; please report it with the input.
     #[error("internal contradiction: {what}")]
     Internal {

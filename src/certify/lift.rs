@@ -7,11 +7,11 @@
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-use super::ahead::{self, Across, Ahead, Found, find};
+use super::ahead::{self, Across, Ahead, Found, Tried, find};
 use super::clip::{Mask, Polygon, SIDES, clip};
 use super::complex::{MeshView, TetComplex};
 use super::observer::{Observer, Ticker};
-use crate::predicate::{Sign, dot_sign};
+use crate::predicate::{Sign, StageCounts, dot_sign_staged};
 use crate::shell::{Layer, Name};
 
 /// The two carriers of an overlay vertex; unused places hold the last entry again (a canonical padding).
@@ -119,6 +119,9 @@ pub(crate) struct Lift {
     pub(crate) corners: Vec<(Mask, Carriers)>,
     /// The component of the middle complex that the root lies in.
     pub(crate) middle_component: u32,
+    /// The decisions that one core makes that looks across one side after another, whoever looked ahead: about every piece that is
+    /// tried and not known by then.
+    pub(crate) stages: StageCounts,
     index: FxHashMap<(u32, u32), u32>,
 }
 
@@ -166,12 +169,13 @@ pub(crate) struct Lifting<'a> {
 impl Lifting<'_> {
     /// The part of `face` with area in the closed `tet`, with everything that is wrong there.
     pub(crate) fn lone_piece(&self, face: u32, tet: u32) -> Option<LonePiece> {
-        let polygon = clip(self.mesh.points(face), self.complex.points(tet))?;
-        let counts = self.piece(face, tet).is_some();
+        let not_counted = &mut StageCounts::default();
+        let polygon = clip(self.mesh.points(face), self.complex.points(tet), not_counted)?;
+        let counts = self.piece(face, tet, not_counted).is_some();
         let corners = polygon.corners();
         let names = |mask: Mask| self.carriers(face, tet, mask);
         let mut reasons = Vec::new();
-        if counts && !self.dot(face, tet).is_positive() {
+        if counts && !self.dot(face, tet, not_counted).is_positive() {
             reasons.push(Reason::Fold);
         }
         let cap = corners.iter().position(|c| self.complex.in_cap(names(c.mask).shell()));
@@ -198,8 +202,8 @@ impl Lifting<'_> {
     }
 
     /// The piece of `face` in `tet`, under the half-open rule.
-    pub(super) fn piece(&self, face: u32, tet: u32) -> Option<Polygon> {
-        let polygon = clip(self.mesh.points(face), self.complex.points(tet))?;
+    pub(super) fn piece(&self, face: u32, tet: u32, stages: &mut StageCounts) -> Option<Polygon> {
+        let polygon = clip(self.mesh.points(face), self.complex.points(tet), stages)?;
         if let Some(k) = polygon.coplanar {
             let record = &self.complex.tets[tet as usize];
             let omitted = record.names[usize::from(k)];
@@ -219,21 +223,21 @@ impl Lifting<'_> {
     }
 
     /// Sign of `n . V` of a triangle in a tet.
-    pub(crate) fn dot(&self, face: u32, tet: u32) -> Sign {
+    pub(crate) fn dot(&self, face: u32, tet: u32, stages: &mut StageCounts) -> Sign {
         let [lo, hi] = self.complex.tets[tet as usize].field().map(|n| self.complex.shell.position(n));
         let [a, b, c] = self.mesh.points(face);
-        dot_sign(a, b, c, lo, hi)
+        stages.note(dot_sign_staged(a, b, c, lo, hi))
     }
 
     /// The pieces that a root point may start in: of triangle `face`, in the tets around the simplex `names`.
-    pub(crate) fn starts(&self, face: u32, names: &[Name]) -> Vec<u32> {
-        self.complex.star(names).filter(|&tet| self.piece(face, tet).is_some()).collect()
+    pub(crate) fn starts(&self, face: u32, names: &[Name], stages: &mut StageCounts) -> Vec<u32> {
+        self.complex.star(names).filter(|&tet| self.piece(face, tet, stages).is_some()).collect()
     }
 
     /// Lifts the component of `face` from its piece in `tet`.
     pub(crate) fn flood(&self, face: u32, tet: u32, observer: &dyn Observer) -> (Lift, Option<Stop>) {
         let mut lift = Lift::default();
-        let Some(root) = find(self, face, tet) else { return (lift, None) };
+        let Some(root) = find(self, face, tet, &mut lift.stages) else { return (lift, None) };
         lift.middle_component = self.complex.middle.component(self.complex.tets[tet as usize].prism);
         let stop = self.run(&mut lift, &root, observer).err();
         (lift, stop)
@@ -270,17 +274,17 @@ impl Lifting<'_> {
 
     /// Adds what lies across the sides of some pieces.
     fn accept(&self, lift: &mut Lift, ahead: &Ahead, ticker: &mut Ticker<'_>) -> Result<(), Stop> {
-        let mut found = ahead.found.as_slice();
+        let mut tried = ahead.tried.as_slice();
         for &(piece, side, across) in &ahead.sides {
             if side == 0 && ticker.tick() {
                 return Err(Stop::Cancelled);
             }
             match across {
                 Across::Wrong(reason) => return Err(Stop::Violation(Violation { piece, reason })),
-                Across::Pieces { count, then_known } => {
-                    let (here, rest) = found.split_at(usize::from(count));
-                    found = rest;
-                    self.enter(lift, (piece, side), here, then_known)?;
+                Across::Pieces { count, then_known, after } => {
+                    let (here, rest) = tried.split_at(count as usize);
+                    tried = rest;
+                    self.enter(lift, (piece, side), here, (then_known, after))?;
                 }
                 Across::Boundary => {}
             }
@@ -289,28 +293,43 @@ impl Lifting<'_> {
     }
 
     /// Goes on into the one piece that has the side, unless the lift has one by now.
-    fn enter(&self, lift: &mut Lift, from: (u32, u8), found: &[Found], then_known: bool) -> Result<(), Stop> {
+    fn enter(
+        &self,
+        lift: &mut Lift,
+        from: (u32, u8),
+        tried: &[Tried],
+        (then_known, after): (bool, StageCounts),
+    ) -> Result<(), Stop> {
         let mut one: Option<&Found> = None;
-        let branched = || {
+        let branched = |lift: &Lift| {
             let along = ahead::along(self, lift, from.0, usize::from(from.1));
             Err(Stop::Branched(along.shell().to_vec()))
         };
-        for found in found {
-            if lift.get(found.face, found.tet).is_some() {
+        for Tried { found, fits, before, stages } in tried {
+            lift.stages += *before;
+            let known = lift.get(found.face, found.tet).is_some();
+            if !known {
+                lift.stages += *stages;
+            }
+            if !fits {
+                continue;
+            }
+            if known {
                 return Ok(());
             }
             if found.wrong == Some(Reason::Fold) {
                 return lift.add(found, from);
             }
             if one.is_some() {
-                return branched();
+                return branched(lift);
             }
             one = Some(found);
         }
+        lift.stages += after;
         match one {
             _ if then_known => Ok(()),
             Some(one) => lift.add(one, from),
-            None => branched(),
+            None => branched(lift),
         }
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! [`certify`] decides every requested claim: *certified* or *refuted*, never a third answer, and writes one file that
 //! proves all its verdicts: certificates for what holds, witnesses for what does not. The file is checked by
-//! `homeo-check` and by `reference/check.py`; its format is `certs/FORMAT.md`.
+//! `homeo-check` and by `reference/check.py`; its format is `certs/FORMAT.md`. [`prove`] does the same, but leaves it to the caller where
+//! the file is written to.
 
 mod ahead;
 mod claim;
@@ -25,6 +26,7 @@ pub(crate) mod polygon;
 pub(crate) mod positivity;
 pub(crate) mod prisms;
 mod proof;
+mod results;
 mod section;
 mod separate;
 pub(crate) mod survey;
@@ -41,7 +43,7 @@ pub use error::CertifyError;
 pub use i2::{Contact, ContactSeparation};
 pub use observer::{Observer, Silent};
 pub use prisms::Overlap;
-pub use proof::{ClaimResult, Count, Options, Outcome, Refutation, certify};
+pub use proof::{ClaimResult, Count, Options, Outcome, Proof, Refutation, certify, prove};
 pub use separate::{PlaneName, PointName};
 pub use witness::{BadTet, Branch, Ending, Leg, NoLift, Root, Step};
 pub(crate) use write::{mesh_hash, shell_hash};

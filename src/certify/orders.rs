@@ -13,7 +13,7 @@ use super::point::MeshPoint;
 use super::section::{self, Section};
 use super::witness::NoLift;
 use crate::mesh::connectivity::Side;
-use crate::predicate::{StageCounts, orient3d};
+use crate::predicate::{StageCounts, orient3d_staged};
 use crate::shell::{Layer, Name, Slab, Tet, VertexOrder, decomposition::TETS, decomposition::decomposition};
 
 /// The answer to C3, given C1 and C2.
@@ -27,6 +27,8 @@ pub(crate) enum AllOrders {
         first: Vec<u32>,
         /// The witness in that order's complex.
         witness: NoLift,
+        /// How much work there was until then.
+        stats: Stats,
     },
 }
 
@@ -37,7 +39,7 @@ pub(crate) struct Stats {
     pub(crate) pairs: u64,
     /// Those with a dot that is not positive.
     pub(crate) exceptions: u64,
-    /// How the dots were decided.
+    /// How the signs of determinants and dots were decided.
     pub(crate) stages: StageCounts,
 }
 
@@ -64,8 +66,8 @@ pub(crate) fn decide(
     observer: &dyn Observer,
 ) -> Result<AllOrders, CertifyError> {
     let mut stats = Stats::default();
-    if let Some(first) = lifts.iter().find_map(|lift| open_wall(&cx, lift, order)) {
-        return refute(&cx, first, order, None, observer);
+    if let Some(first) = lifts.iter().find_map(|lift| open_wall(&cx, lift, order, &mut stats.stages)) {
+        return refute(&cx, (first, None), order, stats, observer);
     }
     let ranks = order.ranks(cx.complex.shell.middle.len());
     for lift in lifts {
@@ -77,7 +79,7 @@ pub(crate) fn decide(
             let (found, conflict) = part?;
             stats += found;
             if let Some(conflict) = conflict {
-                return refute(&cx, conflict.first, order, Some(&conflict.point), observer);
+                return refute(&cx, (conflict.first, Some(&conflict.point)), order, stats, observer);
             }
         }
     }
@@ -112,7 +114,12 @@ fn batch(
 }
 
 /// A boundary side of the mesh that lies in a wall which bends when its diagonal flips; the order that flips it.
-fn open_wall(cx: &Lifting<'_>, lift: &Lift, order: &VertexOrder) -> Option<Vec<u32>> {
+fn open_wall(
+    cx: &Lifting<'_>,
+    lift: &Lift,
+    order: &VertexOrder,
+    stages: &mut StageCounts,
+) -> Option<Vec<u32>> {
     let shell = cx.complex.shell;
     let ranks = order.ranks(shell.middle.len());
     for id in 0..lift.pieces.len() as u32 {
@@ -130,7 +137,7 @@ fn open_wall(cx: &Lifting<'_>, lift: &Lift, order: &VertexOrder) -> Option<Vec<u
             let mut ids: Vec<u32> = names.iter().map(|n| n.vertex).collect();
             ids.dedup();
             let [u, w] = ids[..] else { continue };
-            if !wall_is_safe(cx.complex, [u, w], &names) {
+            if !wall_is_safe(cx.complex, [u, w], &names, stages) {
                 let flipped = if ranks[u as usize] < ranks[w as usize] { [w, u] } else { [u, w] };
                 return Some(flipped.to_vec());
             }
@@ -140,14 +147,19 @@ fn open_wall(cx: &Lifting<'_>, lift: &Lift, order: &VertexOrder) -> Option<Vec<u
 }
 
 /// Do the names lie on the wall's middle edge, or in a slab's wall with coplanar points?
-fn wall_is_safe(complex: &TetComplex<'_>, [u, w]: [u32; 2], names: &[Name]) -> bool {
+fn wall_is_safe(
+    complex: &TetComplex<'_>,
+    [u, w]: [u32; 2],
+    names: &[Name],
+    stages: &mut StageCounts,
+) -> bool {
     if names.iter().all(|n| n.layer == Layer::Middle) || complex.is_pinched(u) || complex.is_pinched(w) {
         return true;
     }
     Slab::BOTH.iter().any(|slab| {
         let wall = wall_names([u, w], *slab);
         let [a, b, c, d] = wall.map(|n| complex.shell.position(n));
-        names.iter().all(|n| wall.contains(n)) && orient3d(a, b, c, d).is_zero()
+        names.iter().all(|n| wall.contains(n)) && stages.note(orient3d_staged(a, b, c, d)).is_zero()
     })
 }
 
@@ -182,7 +194,7 @@ fn piece_conflict(
         for tet in cx.complex.shell.prism_tets_unique(other).filter(|t| !dots.of(t).is_positive()) {
             let points = tet.names.map(|n| cx.complex.shell.position(n));
             // Where the whole triangle has no area in the tet, its pieces have none.
-            if clip(triangle, points).is_none() {
+            if clip(triangle, points, &mut stats.stages).is_none() {
                 continue;
             }
             let polygon = match &exact {
@@ -274,9 +286,9 @@ fn occurs_in(tet: &Tet, complex: &TetComplex<'_>) -> Vec<u32> {
 /// The witness under the order in which `first` come first; at `point` when that suffices.
 fn refute(
     cx: &Lifting<'_>,
-    first: Vec<u32>,
+    (first, point): (Vec<u32>, Option<&MeshPoint>),
     order: &VertexOrder,
-    point: Option<&MeshPoint>,
+    mut stats: Stats,
     observer: &dyn Observer,
 ) -> Result<AllOrders, CertifyError> {
     let shell = cx.complex.shell;
@@ -285,11 +297,11 @@ fn refute(
     let boundary: &Boundary = cx.complex.boundary;
     let complex = TetComplex::new(shell, cx.complex.middle, boundary, &ranks);
     let other = Lifting { mesh: cx.mesh, complex: &complex };
-    if let Some(root) = point.and_then(|p| other.root_at(p)) {
-        return Ok(AllOrders::Refuted { first, witness: NoLift::Roots(vec![root]) });
+    if let Some(root) = point.and_then(|p| other.root_at(p, &mut stats.stages)) {
+        return Ok(AllOrders::Refuted { first, witness: NoLift::Roots(vec![root]), stats });
     }
-    match section::decide(other, observer)? {
-        Section::Refuted(witness) => Ok(AllOrders::Refuted { first, witness }),
+    match section::decide(other, observer, &mut stats.stages)? {
+        Section::Refuted(witness) => Ok(AllOrders::Refuted { first, witness, stats }),
         // The lift of the given order fails here, but where the shell overlaps itself another one may not.
         Section::Certified(_) => Err(CertifyError::SeveralLifts { first }),
     }

@@ -8,7 +8,7 @@ use super::complex::TetComplex;
 use super::exact::{ExactPiece, to_integers};
 use super::lift::Lifting;
 use super::witness::{Branch, Ending, Leg, Root};
-use crate::predicate::orient3d;
+use crate::predicate::{StageCounts, orient3d_staged};
 use crate::shell::Name;
 
 /// A point of a mesh triangle: weights on its corners with sum one.
@@ -73,6 +73,7 @@ impl Lifting<'_> {
         point: &MeshPoint,
         carrier: &[Name],
         tets: &[u32],
+        stages: &mut StageCounts,
     ) -> Option<(Ending, u32)> {
         let first = *tets.first()?;
         if self.complex.in_cap(carrier) {
@@ -84,26 +85,27 @@ impl Lifting<'_> {
         if on_edge != on_wall {
             return Some((if on_wall { Ending::Wall } else { Ending::Boundary }, first));
         }
-        if support.len() < 3 || !self.spans_piece(point.face, carrier) {
+        if support.len() < 3 || !self.spans_piece(point.face, carrier, stages) {
             return None;
         }
-        let fold = tets.iter().find(|&&t| !self.dot(point.face, t).is_positive());
+        let fold = tets.iter().find(|&&t| !self.dot(point.face, t, stages).is_positive());
         fold.map(|&t| (Ending::Fold, t))
     }
 
     /// Is the triangle around a point of this carrier a piece: the carrier a tet, or a face in the triangle's plane?
-    fn spans_piece(&self, face: u32, carrier: &[Name]) -> bool {
+    fn spans_piece(&self, face: u32, carrier: &[Name], stages: &mut StageCounts) -> bool {
         let [a, b, c] = self.mesh.points(face);
-        let flat = |n: &Name| orient3d(a, b, c, self.complex.shell.position(*n)).is_zero();
+        let flat =
+            |n: &Name| stages.note(orient3d_staged(a, b, c, self.complex.shell.position(*n))).is_zero();
         carrier.len() == 4 || (carrier.len() == 3 && carrier.iter().all(flat))
     }
 
     /// The witness at one point, when every lift of the point fails right there.
-    pub(crate) fn root_at(&self, point: &MeshPoint) -> Option<Root> {
+    pub(crate) fn root_at(&self, point: &MeshPoint, stages: &mut StageCounts) -> Option<Root> {
         let carriers = self.carriers_of(point);
         let mut branches = Vec::with_capacity(carriers.len());
         for (carrier, tets) in &carriers {
-            let (ending, tet) = self.local_failure(point, carrier, tets)?;
+            let (ending, tet) = self.local_failure(point, carrier, tets, stages)?;
             let leg = Leg { start: self.complex.sorted_names(tet), steps: Vec::new() };
             branches.push(Branch { carrier: carrier.clone(), legs: vec![leg], ending });
         }

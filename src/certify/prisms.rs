@@ -13,7 +13,7 @@ use super::pairs::BoxTree;
 use super::positivity::bad_tet;
 use super::separate::{Few, Named, Pair, PlaneName, PointName};
 use super::witness::BadTet;
-use crate::predicate::orient3d;
+use crate::predicate::{StageCounts, orient3d_staged};
 use crate::shell::{Name, Shell, Tet, VertexOrder};
 
 /// Two tets with a common point that has different carriers in them.
@@ -40,6 +40,8 @@ pub(crate) struct Prisms {
     pub(crate) separations: Vec<(u32, u32, Vec<PlaneName>)>,
     /// Tets that overlap.
     pub(crate) overlaps: Vec<Overlap>,
+    /// How the signs on the way were decided.
+    pub(crate) stages: StageCounts,
 }
 
 impl Prisms {
@@ -117,15 +119,16 @@ pub(crate) fn decide(
     let rank = |v: u32| ranks.get(v as usize).copied().unwrap_or(v);
     let prisms = u32::try_from(shell.faces.len()).unwrap_or(u32::MAX);
     let tets: Vec<Tet> = (0..prisms).flat_map(|p| shell.tets_of_order(p, rank)).collect();
+    let mut stages = StageCounts::default();
     let flat = |t: &&Tet| {
         let [a, b, c, d] = t.names.map(|n| shell.position(n));
-        !orient3d(a, b, c, d).is_positive()
+        !stages.note(orient3d_staged(a, b, c, d)).is_positive()
     };
     if let Some(tet) = tets.iter().find(flat) {
-        return Ok(Prisms { bad: Some(bad_tet(shell, tet)), ..Prisms::default() });
+        return Ok(Prisms { bad: Some(bad_tet(shell, tet)), stages, ..Prisms::default() });
     }
     let skin = skin(&tets);
-    let mut out = Prisms { skin: skin.len(), ..Prisms::default() };
+    let mut out = Prisms { skin: skin.len(), stages, ..Prisms::default() };
     let job = Job { shell, tets, skin };
     let tree = BoxTree::new(job.skin.iter().map(|(names, _)| names.map(|n| shell.position(n))));
     let found: Vec<Result<_, CertifyError>> = (0..u32::try_from(job.skin.len()).unwrap_or(u32::MAX))
@@ -136,18 +139,19 @@ pub(crate) fn decide(
             }
             observer.advance(1);
             let near = tree.meeting(&job.skin[i as usize].0.map(|n| shell.position(n)));
-            let (mut pairs, mut open) = (0, Vec::new());
+            let (mut pairs, mut open, mut stages) = (0, Vec::new(), StageCounts::default());
             for j in near.into_iter().filter(|&j| j > i) {
                 pairs += 1;
                 // Most pairs are separated at once: nothing is kept of them.
-                open.extend(job.pair(i, j)?.map(|found| (i, j, found)));
+                open.extend(job.pair(i, j, &mut stages)?.map(|found| (i, j, found)));
             }
-            Ok((pairs, open))
+            Ok((pairs, open, stages))
         })
         .collect();
     for part in found {
-        let (pairs, open) = part?;
+        let (pairs, open, stages) = part?;
         out.pairs += pairs;
+        out.stages += stages;
         for (i, j, found) in open {
             match found {
                 Found::Planes(planes) => out.separations.push((i, j, planes)),
@@ -164,7 +168,7 @@ impl<'a> Job<'a> {
         self.skin[i as usize].0.map(|n| Named { name: PointName::Shell(n), at: self.shell.position(n) })
     }
 
-    fn pair(&self, i: u32, j: u32) -> Result<Option<Found>, CertifyError> {
+    fn pair(&self, i: u32, j: u32, stages: &mut StageCounts) -> Result<Option<Found>, CertifyError> {
         let (a, b) = (self.corners(i), self.corners(j));
         let points: Few<Named<'_>> = a.into_iter().chain(b).collect();
         let is_common = |k: usize| {
@@ -173,10 +177,10 @@ impl<'a> Job<'a> {
         };
         let common = (0..6).map(is_common).collect();
         let pair = Pair { common, points, split: 3, exact_common: true };
-        if pair.closed_by([0, 1, 2]) || pair.closed_by([3, 4, 5]) {
+        if [[0, 1, 2], [3, 4, 5]].into_iter().any(|own| pair.closed_by_staged(own, stages)) {
             return Ok(None);
         }
-        if let Some(planes) = pair.separation() {
+        if let Some(planes) = pair.separation_staged(stages) {
             return Ok(Some(Found::Planes(planes)));
         }
         let broken = || CertifyError::Internal { what: "triangles that neither meet nor can be separated" };

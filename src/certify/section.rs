@@ -11,6 +11,7 @@ use super::path::{Chart, first_centroid, point_of, preimage};
 use super::point::{CarrierMap, MeshPoint};
 use super::positivity::bad_tet;
 use super::witness::{Branch, Ending, Leg, NoLift, Root};
+use crate::predicate::StageCounts;
 use crate::shell::Name;
 
 /// The answer to C2 and C4.
@@ -36,21 +37,26 @@ struct Component {
     attempts: Vec<Attempt>,
 }
 
-/// Decides C2 and C4 for the complex's order.
+/// Decides C2 and C4 for the complex's order; `stages`: the decisions on the way, all lifts that were tried included, as one core
+/// makes them.
 ///
 /// # Errors
 /// [`CertifyError::Branched`] where positive tets wind more than once around an edge (possible only when C1 fails);
 /// [`CertifyError::Cancelled`].
-pub(crate) fn decide(cx: Lifting<'_>, observer: &dyn Observer) -> Result<Section, CertifyError> {
+pub(crate) fn decide(
+    cx: Lifting<'_>,
+    observer: &dyn Observer,
+    stages: &mut StageCounts,
+) -> Result<Section, CertifyError> {
     if let Some(topology) = topology(&cx) {
         return Ok(Section::Refuted(topology));
     }
-    if let Some(tet) = cx.complex.first_not_positive() {
+    if let Some(tet) = cx.complex.first_not_positive(stages) {
         return Ok(Section::Refuted(NoLift::Tet(bad_tet(cx.complex.shell, &cx.complex.tets[tet as usize]))));
     }
     let mut components = Vec::new();
     for face in first_faces(cx.mesh) {
-        match lift_component(&cx, face, observer)? {
+        match lift_component(&cx, face, observer, stages)? {
             Ok(component) => components.push(component),
             Err(root) => return Ok(Section::Refuted(NoLift::Roots(vec![root]))),
         }
@@ -101,11 +107,12 @@ fn lift_component(
     cx: &Lifting<'_>,
     face: u32,
     observer: &dyn Observer,
+    stages: &mut StageCounts,
 ) -> Result<Result<Component, Root>, CertifyError> {
     let (root, carriers) = generic_root(cx, face)?;
     let mut attempts = Vec::with_capacity(carriers.len());
     for (carrier, tets) in &carriers {
-        match lift_from(cx, &root, carrier, tets, observer)? {
+        match lift_from(cx, &root, (carrier, tets), observer, stages)? {
             Ok(attempt) => attempts.push(attempt),
             Err(simple) => return Ok(Err(simple)),
         }
@@ -127,26 +134,27 @@ fn branch_of(attempt: Attempt) -> Branch {
 fn lift_from(
     cx: &Lifting<'_>,
     root: &MeshPoint,
-    carrier: &[Name],
-    tets: &[u32],
+    (carrier, tets): (&[Name], &[u32]),
     observer: &dyn Observer,
+    stages: &mut StageCounts,
 ) -> Result<Result<Attempt, Root>, CertifyError> {
     let branch = |legs, ending| Branch { carrier: carrier.to_vec(), legs, ending };
-    if let Some((ending, tet)) = cx.local_failure(root, carrier, tets) {
+    if let Some((ending, tet)) = cx.local_failure(root, carrier, tets, stages) {
         let leg = Leg { start: cx.complex.sorted_names(tet), steps: Vec::new() };
         return Ok(Ok(Attempt::Failed(branch(vec![leg], ending))));
     }
-    let starts = cx.starts(root.face, carrier);
+    let starts = cx.starts(root.face, carrier, stages);
     let Some(&start) = starts.first() else {
         return Err(CertifyError::Internal { what: "a root point without a piece" });
     };
     let (lift, stop) = cx.flood(root.face, start, observer);
+    *stages += lift.stages;
     match stop {
         Some(Stop::Cancelled) => return Err(CertifyError::Cancelled),
         Some(Stop::Branched(names)) => return Err(CertifyError::Branched { names }),
         Some(Stop::Violation(v)) => {
             let (point, ending) = cx.violation_point(&lift, &v)?;
-            if let Some(simple) = cx.root_at(&point) {
+            if let Some(simple) = cx.root_at(&point, stages) {
                 return Ok(Err(simple));
             }
             let leg = cx.leg(&lift, v.piece, &point)?;

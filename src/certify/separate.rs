@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 use super::exact::{Vec3, dot, minus, sign};
 use super::write::joined;
 use crate::number::dyadic::scale_points;
-use crate::predicate::{self, Axis, Sign};
+use crate::predicate::{self, Axis, Sign, Stage, StageCounts};
 use crate::shell::Name;
 
 /// A named input point.
@@ -60,29 +60,38 @@ impl fmt::Display for PlaneName {
 
 /// A point with exact coordinates, whatever they are.
 pub(crate) trait ExactPoint: Sync {
-    /// As [`predicate::orient3d`].
-    fn orient3d(a: &Self, b: &Self, c: &Self, d: &Self) -> Sign;
-    /// As [`predicate::orient2d`].
-    fn orient2d(a: &Self, b: &Self, c: &Self, drop: Axis) -> Sign;
-    /// As [`predicate::projection_axis`].
-    fn projection_axis(a: &Self, b: &Self, c: &Self) -> Option<Axis>;
+    /// As [`predicate::orient3d_staged`].
+    fn orient3d_staged(a: &Self, b: &Self, c: &Self, d: &Self) -> (Sign, Stage);
+    /// As [`predicate::orient2d_staged`].
+    fn orient2d_staged(a: &Self, b: &Self, c: &Self, drop: Axis) -> (Sign, Stage);
     /// The points times one positive number that makes all coordinates integers.
     fn integers(points: &[&Self]) -> Vec<Vec3>;
     /// Equal coordinates?
     fn is_at(&self, other: &Self) -> bool;
+
+    /// As [`predicate::orient3d`].
+    fn orient3d(a: &Self, b: &Self, c: &Self, d: &Self) -> Sign {
+        Self::orient3d_staged(a, b, c, d).0
+    }
+
+    /// As [`predicate::orient2d`].
+    fn orient2d(a: &Self, b: &Self, c: &Self, drop: Axis) -> Sign {
+        Self::orient2d_staged(a, b, c, drop).0
+    }
+
+    /// As [`predicate::projection_axis`].
+    fn projection_axis(a: &Self, b: &Self, c: &Self) -> Option<Axis> {
+        Axis::ALL.into_iter().find(|&axis| !Self::orient2d(a, b, c, axis).is_zero())
+    }
 }
 
 impl ExactPoint for [f64; 3] {
-    fn orient3d(a: &Self, b: &Self, c: &Self, d: &Self) -> Sign {
-        predicate::orient3d(a, b, c, d)
+    fn orient3d_staged(a: &Self, b: &Self, c: &Self, d: &Self) -> (Sign, Stage) {
+        predicate::orient3d_staged(a, b, c, d)
     }
 
-    fn orient2d(a: &Self, b: &Self, c: &Self, drop: Axis) -> Sign {
-        predicate::orient2d(a, b, c, drop)
-    }
-
-    fn projection_axis(a: &Self, b: &Self, c: &Self) -> Option<Axis> {
-        predicate::projection_axis(a, b, c)
+    fn orient2d_staged(a: &Self, b: &Self, c: &Self, drop: Axis) -> (Sign, Stage) {
+        predicate::orient2d_staged(a, b, c, drop)
     }
 
     fn integers(points: &[&Self]) -> Vec<Vec3> {
@@ -135,7 +144,7 @@ impl<P: ExactPoint> Pair<'_, P> {
     }
 
     /// The points on the plane, when it separates what remains.
-    fn pass(&self, remainder: &[usize], value: impl Fn(usize) -> Sign) -> Option<Remainder> {
+    fn pass(&self, remainder: &[usize], mut value: impl FnMut(usize) -> Sign) -> Option<Remainder> {
         let (mut a, mut b) = (Sign::Zero, Sign::Zero);
         let mut on = Few::new();
         for &i in remainder {
@@ -151,11 +160,20 @@ impl<P: ExactPoint> Pair<'_, P> {
         (a == Sign::Zero || b == Sign::Zero || a != b).then_some(on)
     }
 
-    fn through(&self, remainder: &[usize], [p, q, r]: [usize; 3]) -> Option<Remainder> {
+    fn through(
+        &self,
+        remainder: &[usize],
+        [p, q, r]: [usize; 3],
+        stages: &mut StageCounts,
+    ) -> Option<Remainder> {
         let at = |i: usize| self.points[i].at;
         let spans = [p, q, r];
         self.pass(remainder, |i| {
-            if spans.contains(&i) { Sign::Zero } else { P::orient3d(at(p), at(q), at(r), at(i)) }
+            if spans.contains(&i) {
+                Sign::Zero
+            } else {
+                stages.note(P::orient3d_staged(at(p), at(q), at(r), at(i)))
+            }
         })
     }
 
@@ -165,7 +183,12 @@ impl<P: ExactPoint> Pair<'_, P> {
 
     /// Does the plane through three of the points separate alone?
     pub(crate) fn closed_by(&self, plane: [usize; 3]) -> bool {
-        self.through(&self.everything(), plane).is_some_and(|left| self.is_harmless(&left))
+        self.closed_by_staged(plane, &mut StageCounts::default())
+    }
+
+    /// [`closed_by`](Self::closed_by), and the signs of determinants that it took.
+    pub(crate) fn closed_by_staged(&self, plane: [usize; 3], stages: &mut StageCounts) -> bool {
+        self.through(&self.everything(), plane, stages).is_some_and(|left| self.is_harmless(&left))
     }
 
     /// Separating planes, or `None` when the convex hulls share more than they may.
@@ -174,7 +197,12 @@ impl<P: ExactPoint> Pair<'_, P> {
     /// rests on three; inside it, planes through two of its points and one off it cut the remaining sets apart. Where
     /// all points lie in the mesh triangle's plane, lines in that plane do the same one dimension down.
     pub(crate) fn separation(&self) -> Option<Vec<PlaneName>> {
-        self.search(&self.everything(), 3, &mut FxHashSet::default())
+        self.separation_staged(&mut StageCounts::default())
+    }
+
+    /// [`separation`](Self::separation), and the signs of determinants and dots that it took.
+    pub(crate) fn separation_staged(&self, stages: &mut StageCounts) -> Option<Vec<PlaneName>> {
+        self.search(&self.everything(), 3, &mut FxHashSet::default(), stages)
     }
 
     /// At most `depth` planes that separate the remainder. Many planes of points in degenerate position leave the same
@@ -184,6 +212,7 @@ impl<P: ExactPoint> Pair<'_, P> {
         remainder: &[usize],
         depth: usize,
         vain: &mut FxHashSet<(usize, Remainder)>,
+        stages: &mut StageCounts,
     ) -> Option<Vec<PlaneName>> {
         if self.is_harmless(remainder) {
             return Some(Vec::new());
@@ -202,16 +231,16 @@ impl<P: ExactPoint> Pair<'_, P> {
             }
             None
         };
-        let space = !self.is_flat(&self.everything());
-        let found = space.then(|| self.planes_through(remainder).find_map(&mut look)).flatten();
-        let found = found.or_else(|| {
-            let flat = self.is_flat(remainder);
-            flat.then(|| {
-                self.lines(remainder)
-                    .find_map(&mut look)
-                    .or_else(|| self.normals(remainder).find_map(&mut look))
-            })?
-        });
+        let mut found = None;
+        if !self.is_flat(&self.everything(), stages) {
+            found = self.planes_through(remainder, stages).find_map(&mut look);
+        }
+        if found.is_none() && self.is_flat(remainder, stages) {
+            found = self.lines(remainder, stages).find_map(&mut look);
+            if found.is_none() {
+                found = self.normals(remainder, stages).find_map(&mut look);
+            }
+        }
         // The fewer points remain, the fewer planes must follow.
         open.sort_by_key(|(_, left)| left.len());
         found.or_else(|| {
@@ -220,7 +249,7 @@ impl<P: ExactPoint> Pair<'_, P> {
                 if vain.contains(&key) {
                     return None;
                 }
-                let Some(mut rest) = self.search(&key.1, depth - 1, vain) else {
+                let Some(mut rest) = self.search(&key.1, depth - 1, vain, stages) else {
                     vain.insert(key);
                     return None;
                 };
@@ -233,37 +262,43 @@ impl<P: ExactPoint> Pair<'_, P> {
     fn planes_through<'s>(
         &'s self,
         remainder: &'s [usize],
+        stages: &'s mut StageCounts,
     ) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
         let n = self.points.len();
         let triples =
             (0..n).flat_map(move |p| (p + 1..n).flat_map(move |q| (q + 1..n).map(move |r| [p, q, r])));
         triples.filter_map(move |t| {
-            let left = self.through(remainder, t)?;
+            let left = self.through(remainder, t, stages)?;
             Some((PlaneName::Through(t.map(|i| self.points[i].name)), left))
         })
     }
 
     /// Do the points lie in the mesh triangle's plane?
-    fn is_flat(&self, remainder: &[usize]) -> bool {
+    fn is_flat(&self, remainder: &[usize], stages: &mut StageCounts) -> bool {
         let at = |i: usize| self.points[i].at;
-        remainder.iter().all(|&i| i < 3 || P::orient3d(at(0), at(1), at(2), at(i)).is_zero())
+        remainder
+            .iter()
+            .all(|&i| i < 3 || stages.note(P::orient3d_staged(at(0), at(1), at(2), at(i))).is_zero())
     }
 
     /// Planes through two of the remaining points, all in the mesh triangle's plane, and perpendicular to it.
-    fn lines<'s>(&'s self, remainder: &'s [usize]) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
+    fn lines<'s>(
+        &'s self,
+        remainder: &'s [usize],
+        stages: &'s mut StageCounts,
+    ) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
         let at = |i: usize| self.points[i].at;
         // Within the plane the value's sign is the orientation of the points dropped along an axis, up to one sign
         // that is the same for all of them and does not matter here.
-        let axis = P::projection_axis(at(0), at(1), at(2));
+        let proper = |axis: &Axis| !stages.note(P::orient2d_staged(at(0), at(1), at(2), *axis)).is_zero();
+        let axis = Axis::ALL.into_iter().find(proper);
         let pairs = remainder
             .iter()
             .flat_map(move |&p| remainder.iter().map(move |&q| [p, q]))
             .filter(|[p, q]| p < q);
         pairs.filter_map(move |[p, q]| {
             let left = self.pass(remainder, |i| match axis {
-                Some(axis) if i != p && i != q => {
-                    P::orient2d(self.points[p].at, self.points[q].at, self.points[i].at, axis)
-                }
+                Some(axis) if i != p && i != q => stages.note(P::orient2d_staged(at(p), at(q), at(i), axis)),
                 _ => Sign::Zero,
             })?;
             Some((PlaneName::Line([p, q].map(|i| self.points[i].name)), left))
@@ -271,12 +306,17 @@ impl<P: ExactPoint> Pair<'_, P> {
     }
 
     /// Planes through one of the remaining points, perpendicular to the line to another point.
-    fn normals<'s>(&'s self, remainder: &'s [usize]) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
+    fn normals<'s>(
+        &'s self,
+        remainder: &'s [usize],
+        stages: &'s mut StageCounts,
+    ) -> impl Iterator<Item = (PlaneName, Remainder)> + 's {
         let x = P::integers(&self.points.iter().map(|p| p.at).collect::<Vec<_>>());
         let ends = remainder.iter().flat_map(move |&p| (0..self.points.len()).map(move |q| [p, q]));
         ends.filter(|[p, q]| p != q).filter_map(move |[p, q]| {
             let along = minus(&x[q], &x[p]);
-            let left = self.pass(remainder, |i| sign(&dot(&along, &minus(&x[i], &x[p]))))?;
+            let value = |i: usize| (sign(&dot(&along, &minus(&x[i], &x[p]))), Stage::Big);
+            let left = self.pass(remainder, |i| stages.note(value(i)))?;
             Some((PlaneName::Normal([p, q].map(|i| self.points[i].name)), left))
         })
     }

@@ -19,6 +19,7 @@ use super::polygon::{Polygon, share, without};
 use super::positivity::dyadic;
 use super::witness::Ending;
 use crate::number::dyadic::scale_points;
+use crate::predicate::StageCounts;
 
 /// A part of a triangle in a tet.
 #[derive(Clone, Debug)]
@@ -107,7 +108,7 @@ fn triangle(cx: &Lifting<'_>, face: u32, tree: &BoxTree) -> Result<Survey, Certi
             }
         }
         if piece.counts {
-            let faces_up = cx.dot(face, tet).is_positive();
+            let faces_up = cx.dot(face, tet, &mut StageCounts::default()).is_positive();
             out.parts.push(Part { face, tet, masks: piece.masks, faces_up });
         }
     }

@@ -1,6 +1,9 @@
-//! Clipping by signs against clipping by exact coordinates; lifts looked ahead of by one core and by many.
+//! Clipping by signs against clipping by exact coordinates; lifts looked ahead of by one core and by many; decisions
+//! counted; certificates written in pieces.
 
 mod sequential;
+mod stages;
+mod streamed;
 
 use dashu_ratio::RBig;
 
@@ -11,7 +14,7 @@ use super::exact::{ExactPiece, has_area, normalised, whole};
 use super::lift::Lifting;
 use crate::construct::icosphere;
 use crate::mesh::{Connectivity, TriMesh};
-use crate::predicate::orient3d;
+use crate::predicate::{StageCounts, orient3d};
 use crate::shell::{Name, Shell};
 use crate::testing::Random;
 
@@ -55,7 +58,7 @@ fn clipping_by_signs_is_clipping() {
             continue;
         }
         let exact = ExactPiece::new(f, tet);
-        let polygon = clip(f, tet);
+        let polygon = clip(f, tet, &mut StageCounts::default());
         assert_eq!(polygon.is_some(), has_area(&exact.cut_with_tet(&whole())), "{p:?}");
         let Some(polygon) = polygon else { continue };
         areas += 1;
@@ -140,8 +143,9 @@ fn a_lift_is_the_same_whoever_looks_ahead() {
         lifting(&shell, &mesh, |cx| {
             let face = random.below(mesh.faces.len()) as u32;
             let prism = cx.complex.tets.iter().position(|t| t.prism == face);
-            let Some(start) =
-                (0..6).map(|k| (prism.unwrap() + k) as u32).find(|&t| cx.piece(face, t).is_some())
+            let Some(start) = (0..6)
+                .map(|k| (prism.unwrap() + k) as u32)
+                .find(|&t| cx.piece(face, t, &mut StageCounts::default()).is_some())
             else {
                 return;
             };

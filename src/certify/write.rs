@@ -1,16 +1,19 @@
 //! The certificate file, as `certs/FORMAT.md` wants it.
 
 use std::fmt::{Display, Write as _};
+use std::io;
 
 use dashu_int::IBig;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use sha2::{Digest, Sha256};
 
+use super::CertifyError;
 use super::claim::{Claim, Verdict};
 use super::disjoint::Disjoint;
 use super::i2::Contacts;
 use super::lift::{Carriers, Lift};
+use super::observer::Observer;
 use super::orders::AllOrders;
 use super::prisms::Prisms;
 use super::proof::{Facts, Implied, Subject};
@@ -20,17 +23,45 @@ use super::witness::{BadTet, NoLift, Root};
 use crate::mesh::TriMesh;
 use crate::shell::{Name, Shell, VertexOrder};
 
-/// A certificate under construction; writing to a `String` cannot fail.
-struct Out {
+/// Where a certificate goes.
+pub(crate) type Sink<'w> = dyn io::Write + Send + 'w;
+
+/// A certificate on its way out: a few shards of it are in memory, no more.
+struct Out<'w> {
+    sink: &'w mut Sink<'w>,
+    observer: &'w dyn Observer,
+    /// Shards that are made, but not written yet.
+    ready: Vec<String>,
+    /// The lines after them.
     text: String,
     /// Fact lines of each block so far.
     counts: Vec<u64>,
+    /// Why nothing more is written.
+    failed: Option<CertifyError>,
 }
 
-impl Out {
+/// Items that one core makes the lines of.
+const SHARE: usize = 1 << 12;
+
+/// Shards for each core that are made while those before them are written.
+const SHARDS: usize = 2;
+
+/// Bytes of single lines that are written at once.
+const BYTES: usize = 1 << 16;
+
+fn write_all(sink: &mut Sink<'_>, texts: &[String]) -> io::Result<()> {
+    texts.iter().try_for_each(|text| sink.write_all(text.as_bytes()))
+}
+
+impl Out<'_> {
     fn line(&mut self, line: std::fmt::Arguments<'_>) {
+        // Writing to a `String` cannot fail.
         let _ = self.text.write_fmt(line);
         self.text.push('\n');
+        if self.text.len() >= BYTES {
+            self.end_shard();
+            self.beside(|| ());
+        }
     }
 
     fn begin(&mut self, block: &str) {
@@ -44,12 +75,7 @@ impl Out {
             *count += 1;
         }
     }
-}
 
-/// Items that one core writes.
-const SHARE: usize = 1 << 12;
-
-impl Out {
     /// A line for each item, all cores; the same text for any number of them.
     fn facts<T: Sync>(&mut self, items: &[T], write: impl Fn(&mut String, &T) -> std::fmt::Result + Sync) {
         let text = |items: &[T]| {
@@ -60,12 +86,44 @@ impl Out {
             }
             text
         };
-        let parts: Vec<String> = items.par_chunks(SHARE).map(text).collect();
-        self.text.reserve(parts.iter().map(String::len).sum());
-        parts.iter().for_each(|part| self.text.push_str(part));
+        self.end_shard();
+        for part in items.chunks(SHARE * SHARDS * rayon::current_num_threads()) {
+            if self.failed.is_some() {
+                return;
+            }
+            self.ready = self.beside(|| part.par_chunks(SHARE).map(text).collect());
+        }
         if let Some(count) = self.counts.last_mut() {
             *count += items.len() as u64;
         }
+    }
+
+    fn end_shard(&mut self) {
+        if !self.text.is_empty() {
+            self.ready.push(std::mem::take(&mut self.text));
+        }
+    }
+
+    /// Does some work while what is ready is written.
+    fn beside<R: Send>(&mut self, work: impl FnOnce() -> R + Send) -> R {
+        let ready = std::mem::take(&mut self.ready);
+        if self.failed.is_none() && self.observer.cancelled() {
+            self.failed = Some(CertifyError::Cancelled);
+        }
+        if self.failed.is_some() {
+            return work();
+        }
+        let (done, written) = rayon::join(work, || write_all(self.sink, &ready));
+        self.failed = written.err().map(CertifyError::Write);
+        done
+    }
+
+    /// Writes the rest.
+    fn end(mut self) -> Result<(), CertifyError> {
+        self.end_shard();
+        self.beside(|| ());
+        self.failed.map_or(Ok(()), Err)?;
+        self.sink.flush().map_err(CertifyError::Write)
     }
 }
 
@@ -135,9 +193,18 @@ pub(crate) fn mesh_hash(mesh: &TriMesh) -> String {
     hash(mesh.vertices.iter(), &mesh.faces)
 }
 
-/// The whole file.
-pub(crate) fn certificate(subject: &Subject<'_>, facts: &Facts) -> String {
-    let mut out = Out { text: String::new(), counts: Vec::new() };
+/// The whole file, made by all cores while what is made is written. Holds a few shards of lines, whatever its length.
+///
+/// # Errors
+/// [`CertifyError::Write`], or [`CertifyError::Cancelled`] by the observer; part of the file may be written then.
+pub(crate) fn certificate(
+    subject: &Subject<'_>,
+    facts: &Facts,
+    sink: &mut Sink<'_>,
+    observer: &dyn Observer,
+) -> Result<(), CertifyError> {
+    let (ready, text, counts) = (Vec::new(), String::new(), Vec::new());
+    let mut out = Out { sink, observer, ready, text, counts, failed: None };
     header(subject, facts, &mut out);
     if let Some(p) = facts.positivity.as_ref().filter(|p| !p.bad.is_empty()) {
         out.begin("positivity");
@@ -151,7 +218,7 @@ pub(crate) fn certificate(subject: &Subject<'_>, facts: &Facts) -> String {
         }
         None => {}
     }
-    if let Some(Implied::Decided(AllOrders::Refuted { first, witness })) = &facts.all_orders {
+    if let Some(Implied::Decided(AllOrders::Refuted { first, witness, .. })) = &facts.all_orders {
         out.begin("no-order");
         out.fact(format_args!("first {}", joined(first, " ")));
         no_lift(witness, &mut out);
@@ -177,10 +244,10 @@ pub(crate) fn certificate(subject: &Subject<'_>, facts: &Facts) -> String {
         out.line(format_args!("counts {counts}"));
     }
     out.line(format_args!("end"));
-    out.text
+    out.end()
 }
 
-fn header(subject: &Subject<'_>, facts: &Facts, out: &mut Out) {
+fn header(subject: &Subject<'_>, facts: &Facts, out: &mut Out<'_>) {
     out.line(format_args!("homeo-certificate 1"));
     for claim in Claim::ALL {
         let Some(verdict) = facts.verdict(claim) else { continue };
@@ -209,12 +276,12 @@ fn header(subject: &Subject<'_>, facts: &Facts, out: &mut Out) {
     out.line(format_args!("pinched {removed}{pinched}"));
 }
 
-fn tet(bad: &BadTet, out: &mut Out) {
+fn tet(bad: &BadTet, out: &mut Out<'_>) {
     out.fact(format_args!("tet {} {} {}", bad.prism, names(&bad.names), value(&bad.value)));
 }
 
 /// Overlay vertices numbered by first use, cells in the order of the flood, and the two degree tests.
-fn overlay(lifts: &[Lift], out: &mut Out) {
+fn overlay(lifts: &[Lift], out: &mut Out<'_>) {
     out.begin("overlay");
     let count = lifts.iter().map(|l| l.corners.len()).sum();
     let mut ids: FxHashMap<&Carriers, u32> = FxHashMap::default();
@@ -226,6 +293,7 @@ fn overlay(lifts: &[Lift], out: &mut Out) {
         });
         corners.push(id);
     }
+    drop(ids);
     out.facts(&vertices, |text, v| write!(text, "v {} {}", List(v.mesh(), ','), List(v.shell(), ',')));
     let mut cells = Vec::with_capacity(lifts.iter().map(|l| l.pieces.len()).sum());
     let mut rest = corners.as_slice();
@@ -249,7 +317,7 @@ fn overlay(lifts: &[Lift], out: &mut Out) {
     firsts.iter().for_each(|(_, cell)| out.fact(format_args!("d middle {cell} 0")));
 }
 
-fn no_lift(witness: &NoLift, out: &mut Out) {
+fn no_lift(witness: &NoLift, out: &mut Out<'_>) {
     match witness {
         NoLift::Components { mesh, middle } => out.fact(format_args!("topology components {mesh} {middle}")),
         NoLift::Euler { mesh, middle } => out.fact(format_args!("topology euler {mesh} {middle}")),
@@ -258,7 +326,7 @@ fn no_lift(witness: &NoLift, out: &mut Out) {
     }
 }
 
-fn root(root: &Root, out: &mut Out) {
+fn root(root: &Root, out: &mut Out<'_>) {
     out.fact(format_args!("root {} {}", root.face, joined(&root.weights, " ")));
     for branch in &root.branches {
         out.fact(format_args!("branch {}", names(&branch.carrier)));
@@ -277,7 +345,7 @@ fn planes(planes: &[PlaneName]) -> String {
     joined(planes, " ")
 }
 
-fn disjoint(part: &Disjoint, out: &mut Out) {
+fn disjoint(part: &Disjoint, out: &mut Out<'_>) {
     if part.crossings.is_empty() {
         out.facts(&part.separations, |text, (i, j, list)| write!(text, "sep {i} {j} {}", List(list, ' ')));
     }
@@ -287,7 +355,7 @@ fn disjoint(part: &Disjoint, out: &mut Out) {
     }
 }
 
-fn contacts(found: &Contacts, out: &mut Out) {
+fn contacts(found: &Contacts, out: &mut Out<'_>) {
     if found.contacts.is_empty() {
         for s in &found.separations {
             let list = planes(&s.planes);
@@ -301,7 +369,7 @@ fn contacts(found: &Contacts, out: &mut Out) {
     }
 }
 
-fn prisms(found: &Prisms, out: &mut Out) {
+fn prisms(found: &Prisms, out: &mut Out<'_>) {
     if let Some(bad) = &found.bad {
         tet(bad, out);
     } else if found.overlaps.is_empty() {

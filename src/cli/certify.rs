@@ -7,9 +7,9 @@ use std::process::ExitCode;
 use super::CliError;
 use super::check::{Checked, self_check};
 use super::input::{self, Loaded, ThreeMeshes};
-use super::output::{self, Json, one_line};
+use super::output::{self, Json, Staged, Temporary, one_line};
 use super::progress::Progress;
-use crate::certify::{CertifyError, Claim, Options, Outcome, VertexOrder, certify};
+use crate::certify::{CertifyError, Claim, ClaimResult, Options, Proof, VertexOrder, prove};
 use crate::report::{CertifyReport, MeshReport, ShellReport, Sources, sentence};
 
 /// Arguments of `homeo certify`.
@@ -88,22 +88,79 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let outputs = Outputs { certificate: args.output.as_deref(), json: &json };
     outputs.may_be_written(&loaded, &args.order)?;
     let options = Options { claims: claims.clone(), order };
-    let outcome = certify(loaded.shell(), loaded.mesh(), &options, &progress)
+    let proof = prove(loaded.shell(), loaded.mesh(), &options, &progress)
         .map_err(|e| named(e, &loaded, &args.order))?;
-    let mut report = report(&outcome, &claims, &options.order, &loaded);
-    let checked = if args.no_check { None } else { Some(self_check(&outcome.certificate, &loaded)?) };
+    let written = Written::new(&proof, outputs.certificate, !args.no_check, &progress)?;
+    // What shows the verdicts is in the file now: the checker has its memory.
+    let results = proof.into_claims();
+    let checked = if args.no_check { None } else { written.check(&loaded)? };
     if progress.interrupted() {
         return Err(CliError::Interrupted);
     }
     drop(progress);
+    written.place()?;
+    let mut report = report(&results, &claims, &options.order, &loaded);
     report.checked = checked.as_ref().map(|_| "valid".to_owned());
-    if let Some(path) = outputs.certificate {
-        output::replace(path, outcome.certificate.as_bytes())?;
-        report.certificate = Some(path.display().to_string());
-    }
-    let words = words(&outcome, &claims, &args, &loaded, checked.as_ref());
+    report.certificate = outputs.certificate.map(|path| path.display().to_string());
+    let words = words(&results, &claims, &args, &loaded, checked.as_ref());
     json.emit(&report, &words)?;
     Ok(ExitCode::from(u8::from(!report.certified())))
+}
+
+/// The certificate in a file of its own, which is gone when this is dropped.
+enum Written {
+    /// In the directory of the output.
+    Kept(Staged),
+    /// To be checked only.
+    Unplaced(Temporary),
+    /// Nobody wants it.
+    Not,
+}
+
+impl Written {
+    /// Writes the certificate while it is made: it is never in memory as a whole.
+    fn new(
+        proof: &Proof<'_>,
+        output: Option<&Path>,
+        check: bool,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
+        let mut out = match output {
+            Some(path) => Self::Kept(Staged::empty(path)?),
+            None if check => Self::Unplaced(Temporary::unplaced()?),
+            None => Self::Not,
+        };
+        let file = match &mut out {
+            Self::Kept(staged) => staged.file(),
+            Self::Unplaced(file) => file,
+            Self::Not => return Ok(out),
+        };
+        let written = proof.write(file, progress);
+        let name = output.unwrap_or(file.path()).display().to_string();
+        written.map_err(|e| match e {
+            CertifyError::Cancelled => CliError::Interrupted,
+            CertifyError::Write(e) => CliError::Write { file: name, reason: e.to_string() },
+            source => CliError::Certify { files: name, source },
+        })?;
+        Ok(out)
+    }
+
+    /// Lets the independent checker read the file.
+    fn check(&self, loaded: &Loaded) -> Result<Option<Checked>, CliError> {
+        match self {
+            Self::Kept(staged) => self_check(staged.path(), loaded).map(Some),
+            Self::Unplaced(file) => self_check(file.path(), loaded).map(Some),
+            Self::Not => Ok(None),
+        }
+    }
+
+    /// Puts the file into its place, if it is to be kept.
+    fn place(self) -> Result<(), CliError> {
+        match self {
+            Self::Kept(staged) => staged.place(),
+            Self::Unplaced(_) | Self::Not => Ok(()),
+        }
+    }
 }
 
 /// The files to be written.
@@ -135,17 +192,17 @@ fn named(error: CertifyError, loaded: &Loaded, order: &str) -> CliError {
     }
 }
 
-fn report(outcome: &Outcome, claims: &[Claim], order: &VertexOrder, loaded: &Loaded) -> CertifyReport {
+fn report(results: &[ClaimResult], claims: &[Claim], order: &VertexOrder, loaded: &Loaded) -> CertifyReport {
     let files = loaded.shell_files.iter().map(|f| f.display().to_string()).collect();
     let shell = ShellReport::new(loaded.shell(), files);
     let mesh = loaded.mesh().map(|mesh| MeshReport::new(mesh, loaded.mesh_name()));
-    let mut report = CertifyReport::new(outcome, claims, order, shell, mesh);
+    let mut report = CertifyReport::new(results, claims, order, shell, mesh);
     report.notes.clone_from(&loaded.file.notes);
     report
 }
 
 fn words(
-    outcome: &Outcome,
+    results: &[ClaimResult],
     claims: &[Claim],
     args: &Args,
     loaded: &Loaded,
@@ -160,7 +217,7 @@ fn words(
     let sizes = (loaded.shell().prism_count(), loaded.mesh().map_or(0, |m| m.faces.len()));
     let mesh_file = loaded.mesh_file.as_ref().map(|_| loaded.mesh_name());
     let sources = Sources::new(&loaded.shell_name(), mesh_file.as_deref(), sizes, order);
-    for result in &outcome.claims {
+    for result in results {
         out += &sentence(result, &sources);
         if !claims.contains(&result.claim) {
             let _ = writeln!(out, "             (not asked for; another claim rests on it)");
@@ -188,4 +245,48 @@ fn words(
         }
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CliError, Loaded, Progress, Staged, Temporary, ThreeMeshes, Written};
+    use crate::certify::{Options, prove};
+    use crate::construct::sample;
+    use crate::shell::hdf5;
+    use std::io::Write as _;
+
+    #[test]
+    fn a_certificate_that_the_checker_does_not_accept_is_not_left() {
+        let dir = tempfile::tempdir().unwrap();
+        let [shell, cert] = ["s.h5", "s.cert"].map(|name| dir.path().join(name));
+        let made = sample(0);
+        let file = hdf5::ShellFile { shell: made.shell, mesh: Some(made.mesh), ..hdf5::ShellFile::default() };
+        std::fs::write(&shell, hdf5::to_bytes(&file).unwrap()).unwrap();
+        let loaded = Loaded::read(Some(&shell), &ThreeMeshes::default(), None).unwrap();
+        let (options, progress) = (Options::default(), Progress::new(true));
+        let proof = prove(loaded.shell(), loaded.mesh(), &options, &progress).unwrap();
+        let good = Written::new(&proof, Some(&cert), true, &progress).unwrap();
+        assert!(!good.check(&loaded).unwrap().unwrap().converted);
+        let Written::Kept(staged) = &good else { panic!("it is not kept") };
+        let text = std::fs::read_to_string(staged.path()).unwrap();
+        // Before it is placed there is nothing under its name, and after it was dropped nothing at all.
+        assert!(!cert.exists());
+        drop(good);
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+        let forged = text.replacen("claim section refuted", "claim section certified", 1);
+        assert_ne!(forged, text);
+        let refused = Written::Kept(Staged::new(&cert, forged.as_bytes()).unwrap()).check(&loaded);
+        assert!(matches!(refused, Err(CliError::Disagreement(_))));
+        let mut unplaced = Temporary::unplaced().unwrap();
+        unplaced.write_all(forged.as_bytes()).unwrap();
+        let path = unplaced.path().to_owned();
+        assert!(path.exists());
+        let refused = Written::Unplaced(unplaced).check(&loaded);
+        assert!(matches!(refused, Err(CliError::Disagreement(_))));
+        assert!(!path.exists());
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+        Written::new(&proof, Some(&cert), true, &progress).unwrap().place().unwrap();
+        assert_eq!(std::fs::read_to_string(&cert).unwrap(), text);
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 2);
+    }
 }

@@ -1,11 +1,12 @@
 //! `homeo check`, and the certifier's check of its own certificate.
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::CliError;
-use super::input::{Loaded, read_regular};
-use super::output;
+use super::input::{Loaded, is_regular};
+use super::output::{self, Temporary};
 use crate::shell::hdf5;
 
 /// Arguments of `homeo check`.
@@ -62,11 +63,12 @@ pub(super) struct Checked {
     pub(super) converted: bool,
 }
 
-/// Has the certificate checked by the independent checker against the input files themselves, where it reads their
+/// Has a certificate file checked by the independent checker against the input files themselves, where it reads their
 /// format. Anything but `valid` is a contradiction between the two programs and no verdict.
-pub(super) fn self_check(certificate: &str, loaded: &Loaded) -> Result<Checked, CliError> {
-    let files = loaded.inputs().iter().map(|path| read_regular(path)).collect::<Result<Vec<_>, _>>()?;
-    let direct = homeo_certs::check(certificate.as_bytes(), &files);
+pub(super) fn self_check(certificate: &Path, loaded: &Loaded) -> Result<Checked, CliError> {
+    let files = loaded.inputs();
+    files.iter().try_for_each(|path| is_regular(path))?;
+    let direct = homeo_certs::check_files(certificate, &files);
     if direct.exit == 0 {
         return Ok(Checked { converted: false });
     }
@@ -78,14 +80,21 @@ pub(super) fn self_check(certificate: &str, loaded: &Loaded) -> Result<Checked, 
         mesh: loaded.file.mesh.clone(),
         ..hdf5::ShellFile::default()
     };
-    let bytes =
-        hdf5::to_bytes(&copy).map_err(|source| CliError::Encode { file: "memory".to_owned(), source })?;
-    accepted(certificate, &[bytes])?;
+    let file = Temporary::unplaced()?;
+    let name = || file.path().display().to_string();
+    let bytes = hdf5::to_bytes(&copy).map_err(|source| CliError::Encode { file: name(), source })?;
+    drop(copy);
+    let failed = |e: std::io::Error| CliError::Write { file: name(), reason: e.to_string() };
+    fs::write(file.path(), bytes).map_err(failed)?;
+    verdict(&homeo_certs::check_files(certificate, &[file.path()]))?;
     Ok(Checked { converted: true })
 }
 
 /// Lets the independent checker check a certificate against the contents of its inputs.
 pub(super) fn accepted(certificate: &str, files: &[Vec<u8>]) -> Result<(), CliError> {
-    let outcome = homeo_certs::check(certificate.as_bytes(), files);
-    if outcome.exit == 0 { Ok(()) } else { Err(CliError::Disagreement(first_line(&outcome))) }
+    verdict(&homeo_certs::check(certificate.as_bytes(), files))
+}
+
+fn verdict(outcome: &homeo_certs::Outcome) -> Result<(), CliError> {
+    if outcome.exit == 0 { Ok(()) } else { Err(CliError::Disagreement(first_line(outcome))) }
 }

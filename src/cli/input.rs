@@ -132,12 +132,18 @@ pub(super) fn order(argument: &str, vertices: usize) -> Result<VertexOrder, CliE
     VertexOrder::from_list(list, vertices).map_err(|e| fail(e.to_string()))
 }
 
-/// The bytes of a regular file. Devices and pipes are refused: they need not end.
+/// The bytes of a regular file.
 pub(super) fn read_regular(path: &Path) -> Result<Vec<u8>, CliError> {
-    let fail = |reason: String| CliError::Read { file: path.display().to_string(), reason };
-    let there = std::fs::metadata(path).map_err(|e| fail(e.to_string()))?;
-    if !there.is_file() {
-        return Err(fail("is not a regular file".to_owned()));
-    }
-    std::fs::read(path).map_err(|e| fail(e.to_string()))
+    is_regular(path)?;
+    std::fs::read(path).map_err(|e| unread(path, e.to_string()))
+}
+
+/// Refuses devices and pipes: they need not end.
+pub(super) fn is_regular(path: &Path) -> Result<(), CliError> {
+    let there = std::fs::metadata(path).map_err(|e| unread(path, e.to_string()))?;
+    if there.is_file() { Ok(()) } else { Err(unread(path, "is not a regular file".to_owned())) }
+}
+
+fn unread(path: &Path, reason: String) -> CliError {
+    CliError::Read { file: path.display().to_string(), reason }
 }

@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use serde::Serialize;
 
@@ -142,9 +143,9 @@ pub(super) fn replace(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     Staged::new(path, bytes)?.place()
 }
 
-/// A whole file that is not in its place yet; dropped, it is gone.
+/// A file that is not in its place yet; dropped, it is gone.
 pub(super) struct Staged {
-    file: tempfile::NamedTempFile,
+    file: Temporary,
     target: PathBuf,
     name: String,
 }
@@ -152,10 +153,18 @@ pub(super) struct Staged {
 impl Staged {
     /// Writes all bytes into a temporary file in the directory of `path`.
     pub(super) fn new(path: &Path, bytes: &[u8]) -> Result<Self, CliError> {
+        let mut out = Self::empty(path)?;
+        let written = out.file.file.write_all(bytes);
+        written.map_err(|e| CliError::Write { file: out.name.clone(), reason: e.to_string() })?;
+        Ok(out)
+    }
+
+    /// An empty temporary file in the directory of `path`.
+    pub(super) fn empty(path: &Path) -> Result<Self, CliError> {
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let name = path.display().to_string();
-        let file = save(&target, bytes)
-            .map_err(|e| CliError::Write { file: name.clone(), reason: e.to_string() })?;
+        let file =
+            beside(&target).map_err(|e| CliError::Write { file: name.clone(), reason: e.to_string() })?;
         Ok(Self { file, target, name })
     }
 
@@ -164,15 +173,84 @@ impl Staged {
         self.file.path()
     }
 
+    /// The file, to be written from front to back.
+    pub(super) fn file(&mut self) -> &mut Temporary {
+        &mut self.file
+    }
+
     /// Puts it into its place by renaming.
     pub(super) fn place(self) -> Result<(), CliError> {
         let Self { file, target, name } = self;
-        let placed = file.persist(target);
+        let placed = file.file.persist(target);
         placed.map(|_| ()).map_err(|e| CliError::Write { file: name, reason: e.error.to_string() })
     }
 }
 
-fn save(target: &Path, bytes: &[u8]) -> io::Result<tempfile::NamedTempFile> {
+/// Temporary files that are there now, for the end of the process without unwinding.
+static THERE: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// A temporary file. It is gone when it is dropped, and after [`end_at_once`].
+pub(super) struct Temporary {
+    file: tempfile::NamedTempFile,
+    // Dropped after the file.
+    _there: There,
+}
+
+/// An entry of [`THERE`].
+struct There(PathBuf);
+
+impl Drop for There {
+    fn drop(&mut self) {
+        THERE.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| *path != self.0);
+    }
+}
+
+impl Temporary {
+    /// For what is not to be kept: in the system's directory for temporary files, for this user alone.
+    pub(super) fn unplaced() -> Result<Self, CliError> {
+        let directory = std::env::temp_dir();
+        let fail = |e: io::Error| CliError::Write {
+            file: format!("a temporary file in {}", directory.display()),
+            reason: e.to_string(),
+        };
+        Self::new(&tempfile::Builder::new(), &directory).map_err(fail)
+    }
+
+    fn new(builder: &tempfile::Builder<'_, '_>, directory: &Path) -> io::Result<Self> {
+        // Nobody ends the process between the file and its entry.
+        let mut there = THERE.lock().unwrap_or_else(PoisonError::into_inner);
+        let file = builder.tempfile_in(directory)?;
+        let path = file.path().to_owned();
+        there.push(path.clone());
+        Ok(Self { file, _there: There(path) })
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        self.file.path()
+    }
+}
+
+impl io::Write for Temporary {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// Ends the process without unwinding, but leaves no temporary file behind.
+pub(super) fn end_at_once(code: i32) -> ! {
+    // Held until the end, so that no further file is made.
+    let there = THERE.lock().unwrap_or_else(PoisonError::into_inner);
+    for path in there.iter() {
+        let _ = fs::remove_file(path);
+    }
+    std::process::exit(code);
+}
+
+fn beside(target: &Path) -> io::Result<Temporary> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     {
@@ -180,7 +258,30 @@ fn save(target: &Path, bytes: &[u8]) -> io::Result<tempfile::NamedTempFile> {
         // The umask applies, as to any other new file; the default would be private to the user.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    let mut file = builder.tempfile_in(parent(target))?;
-    file.write_all(bytes)?;
-    Ok(file)
+    Temporary::new(&builder, parent(target))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Staged, THERE};
+    use std::path::Path;
+
+    /// What [`end_at_once`](super::end_at_once) removes.
+    fn is_there(path: &Path) -> bool {
+        THERE.lock().unwrap().iter().any(|p| p == path)
+    }
+
+    #[test]
+    fn temporary_files_are_known_as_long_as_they_are_there() {
+        let dir = tempfile::tempdir().unwrap();
+        let target = dir.path().join("target");
+        let (placed, dropped) =
+            (Staged::new(&target, b"new").unwrap(), Staged::new(&target, b"other").unwrap());
+        let paths = [placed.path().to_owned(), dropped.path().to_owned()];
+        assert!(paths.iter().all(|p| p.exists() && is_there(p)));
+        placed.place().unwrap();
+        drop(dropped);
+        assert!(paths.iter().all(|p| !p.exists() && !is_there(p)));
+        assert_eq!(std::fs::read(target).unwrap(), b"new");
+    }
 }

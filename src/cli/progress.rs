@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::output;
 use crate::certify::Observer;
 
 /// How often `plain` progress says something.
@@ -95,7 +96,7 @@ impl Progress {
         // Without a handler Ctrl-C ends the process, which also writes nothing: no reason to give up.
         let _ = ctrlc::set_handler(move || {
             if flag.swap(true, Ordering::Relaxed) {
-                std::process::exit(2);
+                output::end_at_once(2);
             }
         });
         let state = Arc::new(State {

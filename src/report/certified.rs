@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::certify::{Claim, ClaimResult, Outcome, Verdict, VertexOrder};
+use crate::certify::{Claim, ClaimResult, Verdict, VertexOrder};
 use crate::mesh::TriMesh;
 use crate::shell::Shell;
 
@@ -42,7 +42,8 @@ pub struct ClaimReport {
     pub seconds: Option<f64>,
     /// Counts by name.
     pub counts: BTreeMap<&'static str, u64>,
-    /// Exact predicates by the stage that decided them; `null` where they are not counted.
+    /// Exact predicates by the stage that decided them (of `i2`: its dots); `null` for claims that were not run or only follow from
+    /// another one.
     pub stages: Option<StageReport>,
     /// The parts of `disjoint`.
     pub parts: Vec<PartReport>,
@@ -203,20 +204,20 @@ fn refutations(result: &ClaimResult) -> Vec<RefutationReport> {
 }
 
 impl CertifyReport {
-    /// The report about an outcome for the `requested` claims.
+    /// The report about results for the `requested` claims.
     #[must_use]
     pub fn new(
-        outcome: &Outcome,
+        results: &[ClaimResult],
         requested: &[Claim],
         order: &VertexOrder,
         shell: ShellReport,
         mesh: Option<MeshReport>,
     ) -> Self {
-        let claim = |claim: Claim| match outcome.claims.iter().find(|r| r.claim == claim) {
+        let claim = |claim: Claim| match results.iter().find(|r| r.claim == claim) {
             Some(result) => ClaimReport::new(result, requested.contains(&claim)),
             None => ClaimReport::not_run(claim),
         };
-        let told = |c: &Claim| Claim::STANDARD.contains(c) || outcome.claims.iter().any(|r| r.claim == *c);
+        let told = |c: &Claim| Claim::STANDARD.contains(c) || results.iter().any(|r| r.claim == *c);
         let claims: Vec<ClaimReport> = Claim::ALL.into_iter().filter(told).map(claim).collect();
         let holds = claims.iter().filter(|c| c.requested).all(|c| c.verdict == Verdict::Certified.word());
         Self {

@@ -1,6 +1,8 @@
-//! Time and memory of certify and check against the size of the input; every size in a process of its own.
+//! Time and memory of certify and check against the size of the input; every run in a process of its own, every size several
+//! times: one slow run moves the median of its size little, and with it the fitted exponent.
 
 use std::process::Command;
+use std::time::Instant;
 
 use homeo_benches::built::program;
 use homeo_benches::cgal::Answer;
@@ -10,19 +12,24 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::error::{PeersError, Res};
-use crate::plan::Plan;
+use crate::plan::{Options, Plan};
 use crate::report::{Asked, Report, Row};
 
 /// Wanted numbers of triangles.
 const SIZES: [u32; 8] = [10_000, 20_000, 50_000, 100_000, 200_000, 500_000, 1_000_000, 2_000_000];
-/// Up to here a size is measured several times.
-const SMALL: u32 = 100_000;
+/// Up to here a size is run at least three times, from here on twice.
+const SMALL: u32 = 200_000;
+/// A size is run until so many seconds are spent on it...
+const SECONDS: f64 = 15.0;
+/// ...but no more often than this.
+const MOST: usize = 15;
 
-/// One size.
+/// One size: medians of the times, largest memory.
 #[derive(Debug, Serialize)]
 struct Run {
     triangles: u64,
     prisms: u64,
+    runs: usize,
     certify_seconds: f64,
     check_seconds: f64,
     input_bytes: f64,
@@ -41,23 +48,8 @@ impl Run {
 
 pub(crate) fn run(plan: &Plan, report: &mut Report) -> Res {
     let limit = plan.options.max_triangles.unwrap_or(if plan.options.quick { 20_000 } else { u32::MAX });
-    let sizes = SIZES.into_iter().filter(|size| *size <= limit);
-    let mut runs = Vec::new();
-    for size in sizes {
-        let rounds = if size <= SMALL { plan.options.few_rounds() } else { 1 };
-        match measure(size, rounds) {
-            Ok(run) => runs.push(run),
-            // Not enough memory, most likely: what fits is still told.
-            Err(error @ PeersError::Program { .. }) => {
-                eprintln!("FAILED: {error}");
-                let what = format!("certify and check, {size} triangles");
-                report.row(Row::absent(&what, "linear", Some(Asked::AtMost(1.05)), "FAILED"));
-                break;
-            }
-            Err(error) => return Err(error),
-        }
-        eprintln!("  {:?}", runs.last());
-    }
+    let sizes = SIZES.into_iter().filter(|size| *size <= limit).map(Size::new).collect();
+    let runs = measure(sizes, &plan.options, report)?;
     if runs.is_empty() {
         return Ok(());
     }
@@ -67,12 +59,15 @@ pub(crate) fn run(plan: &Plan, report: &mut Report) -> Res {
     let both = [("certify", points(&|r| r.certify_seconds)), ("check", points(&|r| r.check_seconds))];
     let span = format!("{} -> {} triangles", ends(&runs, 0), ends(&runs, usize::MAX));
     let asked = Some(Asked::AtMost(1.05));
+    let times = runs.iter().map(|r| r.runs);
+    let (least, most) = (times.clone().min().unwrap_or(0), times.max().unwrap_or(0));
+    let fitted = format!("fitted exponent, over medians of {least} to {most} runs a size");
     let mut series = Vec::new();
     for (name, points) in both {
         let fit = PowerLaw::fit(&points);
         let what = format!("growth of {name} time, {span}");
         report.row(match fit {
-            Some(law) => Row::value(&what, "linear", asked, law.exponent, "fitted exponent"),
+            Some(law) => Row::value(&what, "linear", asked, law.exponent, &fitted),
             None => Row::absent(&what, "linear", asked, "too few sizes"),
         });
         series.push(Series { name: name.to_owned(), points, fit });
@@ -105,6 +100,7 @@ fn table(runs: &[Run], report: &mut Report) {
     let columns = [
         "triangles",
         "prisms",
+        "runs",
         "certify s",
         "check s",
         "input MB",
@@ -119,6 +115,7 @@ fn table(runs: &[Run], report: &mut Report) {
         table.row(vec![
             run.triangles.to_string(),
             run.prisms.to_string(),
+            run.runs.to_string(),
             format!("{:.2}", run.certify_seconds),
             format!("{:.2}", run.check_seconds),
             format!("{:.1}", run.input_bytes / 1e6),
@@ -128,21 +125,48 @@ fn table(runs: &[Run], report: &mut Report) {
             mib(run.check_peak_mib),
         ]);
     }
-    let text = "![Time against size](peers.svg)\n\nGenerated shells before simplification (`initial`), each size in a process of \
-                its own, one thread. The peak includes the input and what its generator left behind.";
+    let text = "![Time against size](peers.svg)\n\nGenerated shells before simplification (`initial`), each run in a process of \
+                its own, one thread; medians over the runs of a size, which take turns with those of other sizes. The peak includes the input and what its generator left behind.";
     report.detail("Growth", text, &table);
 }
 
-/// Runs `homeo-profile` so often; medians of the times, largest memory.
-fn measure(size: u32, rounds: usize) -> Res<Run> {
-    let argument = format!("initial:{}", (size / 8).isqrt());
-    let failed =
-        |text: String| PeersError::Program { program: "homeo-profile", argument: argument.clone(), text };
-    let io = |source| PeersError::Io { what: "homeo-profile".to_owned(), source };
-    let mut answers = Vec::new();
-    for _ in 0..rounds {
+/// A size that is measured.
+struct Size {
+    triangles: u32,
+    answers: Vec<Answer>,
+    spent: f64,
+}
+
+impl Size {
+    const fn new(triangles: u32) -> Self {
+        Self { triangles, answers: Vec::new(), spent: 0.0 }
+    }
+
+    fn wants_another(&self, options: &Options) -> bool {
+        let done = self.answers.len();
+        let few = options.few_rounds();
+        if options.quick {
+            return done < few;
+        }
+        let least = if self.triangles <= SMALL { few.max(3) } else { 2 };
+        done < least || (done < MOST && self.spent < SECONDS)
+    }
+
+    /// What was asked of the program.
+    fn argument(&self) -> String {
+        format!("initial:{}", (self.triangles / 8).isqrt())
+    }
+
+    /// Runs `homeo-profile` once.
+    fn run(&mut self) -> Res {
+        let argument = self.argument();
+        let failed =
+            |text: String| PeersError::Program { program: "homeo-profile", argument: argument.clone(), text };
+        let io = |source| PeersError::Io { what: "homeo-profile".to_owned(), source };
         let path = program("homeo-profile").map_err(io)?;
+        let start = Instant::now();
         let output = Command::new(path).args([&argument, "check"]).output().map_err(io)?;
+        self.spent += start.elapsed().as_secs_f64();
         if !output.status.success() {
             let said = String::from_utf8_lossy(&output.stderr);
             return Err(failed(format!("{}: {}", output.status, said.trim())));
@@ -151,23 +175,55 @@ fn measure(size: u32, rounds: usize) -> Res<Run> {
         if !text.contains("checker: valid") {
             return Err(failed("the checker does not accept".to_owned()));
         }
-        answers.push(Answer::parse("homeo-profile", &text));
+        self.answers.push(Answer::parse("homeo-profile", &text));
+        Ok(())
     }
-    let all = |key: &str| answers.iter().map(|a| a.get::<f64>(key)).collect::<Result<Vec<f64>, _>>();
-    let first = |key: &str| -> Res<f64> { Ok(all(key)?.first().copied().unwrap_or(f64::NAN)) };
-    let whole = |key: &str| -> Res<u64> {
-        let first = answers.first().ok_or_else(|| failed("it was not run".to_owned()))?;
-        Ok(first.get(key)?)
-    };
-    let largest = |key: &str| all(key).ok().and_then(|all| all.into_iter().reduce(f64::max));
-    Ok(Run {
-        triangles: whole("mesh_triangles")?,
-        prisms: whole("prisms")?,
-        certify_seconds: median(&all("seconds")?),
-        check_seconds: median(&all("check_seconds")?),
-        input_bytes: first("input_bytes")?,
-        certificate_bytes: first("certificate_bytes")?,
-        certify_peak_mib: largest("peak_mib"),
-        check_peak_mib: largest("check_peak_mib"),
-    })
+
+    fn result(&self) -> Res<Run> {
+        let all = |key: &str| self.answers.iter().map(|a| a.get::<f64>(key)).collect::<Result<Vec<f64>, _>>();
+        let first = |key: &str| -> Res<f64> { Ok(all(key)?.first().copied().unwrap_or(f64::NAN)) };
+        let whole = |key: &str| -> Res<u64> {
+            let first = self.answers.first().ok_or_else(|| PeersError::Program {
+                program: "homeo-profile",
+                argument: self.argument(),
+                text: "it was not run".to_owned(),
+            })?;
+            Ok(first.get(key)?)
+        };
+        let largest = |key: &str| all(key).ok().and_then(|all| all.into_iter().reduce(f64::max));
+        Ok(Run {
+            triangles: whole("mesh_triangles")?,
+            prisms: whole("prisms")?,
+            runs: self.answers.len(),
+            certify_seconds: median(&all("seconds")?),
+            check_seconds: median(&all("check_seconds")?),
+            input_bytes: first("input_bytes")?,
+            certificate_bytes: first("certificate_bytes")?,
+            certify_peak_mib: largest("peak_mib"),
+            check_peak_mib: largest("check_peak_mib"),
+        })
+    }
+}
+
+/// Runs all sizes, ascending, turn by turn: a time at which the machine is slow falls on several of them. A size that fails ends
+/// with all larger ones.
+fn measure(mut sizes: Vec<Size>, options: &Options, report: &mut Report) -> Res<Vec<Run>> {
+    while sizes.iter().any(|size| size.wants_another(options)) {
+        for k in 0..sizes.len() {
+            let Some(size) = sizes.get_mut(k).filter(|size| size.wants_another(options)) else { continue };
+            match size.run() {
+                Ok(()) => eprintln!("  {}, run {}", size.argument(), size.answers.len()),
+                // Not enough memory, most likely: what fits is still told.
+                Err(error @ PeersError::Program { .. }) => {
+                    eprintln!("FAILED: {error}");
+                    let what = format!("certify and check, {} triangles", size.triangles);
+                    report.row(Row::absent(&what, "linear", Some(Asked::AtMost(1.05)), "FAILED"));
+                    sizes.truncate(k);
+                    break;
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+    sizes.iter().map(Size::result).collect()
 }

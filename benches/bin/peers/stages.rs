@@ -41,7 +41,7 @@ pub(crate) fn run(plan: &Plan, report: &mut Report) -> Res {
                     let part = counts[k] as f64 * costs[k] / claim.seconds;
                     format!("{} ({:.0} %)", counts[k], 100.0 * part.min(1.0))
                 }
-                None => "not counted".to_owned(),
+                None => "-".to_owned(),
             });
             table.row(cells.into_iter().chain(stages).collect());
             data.push(json!({ "input": name, "claim": claim.claim.name(), "seconds": claim.seconds, "decisions": counts }));
@@ -58,8 +58,8 @@ pub(crate) fn run(plan: &Plan, report: &mut Report) -> Res {
     let text = format!(
         "Decisions by stage, and in brackets their share of the claim's time if each costs what one call of orient3d does that \
          ends in this stage: {filter} in the filter (random points), {fixed} in fixed width (exactly coplanar), {big} in big \
-         integers. Blocks of vector instructions cost less than that, so that a share in brackets is an upper estimate. Claims that \
-         do not count their decisions are told by their time alone."
+         integers. Blocks of vector instructions cost less than that, so that a share in brackets is an upper estimate. Of \
+         `i2` the dots are counted, not the planes that separate. What two threads decide twice counts once."
     );
     report.detail("Cost by stage", &text, &table);
     report.data("stages", json!({ "seconds_a_call": costs, "claims": data }));

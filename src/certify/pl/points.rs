@@ -5,7 +5,7 @@ use dashu_int::IBig;
 use super::super::exact::{Vec3, sign};
 use super::super::separate::ExactPoint;
 use crate::number::{Rat, Rational};
-use crate::predicate::{Axis, Sign};
+use crate::predicate::{Axis, Sign, Stage};
 
 /// A point `x / w`, with integers `x` and `w > 0`.
 #[derive(Clone, Debug)]
@@ -45,24 +45,20 @@ impl ExactPoint for Homogeneous {
         self.to(other).iter().all(|x| sign(x).is_zero())
     }
 
-    fn orient3d(a: &Self, b: &Self, c: &Self, d: &Self) -> Sign {
+    fn orient3d_staged(a: &Self, b: &Self, c: &Self, d: &Self) -> (Sign, Stage) {
         let [p, q, r] = [b, c, d].map(|x| a.to(x));
         let term = |i: usize, j: usize, k: usize| &p[i] * (&q[j] * &r[k] - &q[k] * &r[j]);
-        sign(&(term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1)))
+        (sign(&(term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1))), Stage::Big)
     }
 
-    fn orient2d(a: &Self, b: &Self, c: &Self, drop: Axis) -> Sign {
+    fn orient2d_staged(a: &Self, b: &Self, c: &Self, drop: Axis) -> (Sign, Stage) {
         let (i, j) = match drop {
             Axis::X => (1, 2),
             Axis::Y => (2, 0),
             Axis::Z => (0, 1),
         };
         let [p, q] = [b, c].map(|x| a.to(x));
-        sign(&(&p[i] * &q[j] - &p[j] * &q[i]))
-    }
-
-    fn projection_axis(a: &Self, b: &Self, c: &Self) -> Option<Axis> {
-        Axis::ALL.into_iter().find(|&axis| !Self::orient2d(a, b, c, axis).is_zero())
+        (sign(&(&p[i] * &q[j] - &p[j] * &q[i])), Stage::Big)
     }
 
     fn integers(points: &[&Self]) -> Vec<Vec3> {

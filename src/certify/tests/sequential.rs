@@ -6,6 +6,7 @@ use super::{lifting, sphere};
 use crate::certify::Silent;
 use crate::certify::clip::{Mask, SIDES};
 use crate::certify::lift::{Carriers, Lifting, Reason, Stop, Violation};
+use crate::predicate::StageCounts;
 use crate::shell::Name;
 use crate::testing::Random;
 
@@ -18,6 +19,7 @@ struct Sequential<'a> {
     pieces: Vec<(u32, u32, u32, u8)>,
     corners: Vec<Corners>,
     index: HashMap<(u32, u32), usize>,
+    stages: StageCounts,
 }
 
 fn has_side(corners: &Corners, ends: [Carriers; 2]) -> bool {
@@ -25,9 +27,12 @@ fn has_side(corners: &Corners, ends: [Carriers; 2]) -> bool {
 }
 
 impl Sequential<'_> {
-    fn piece(&self, face: u32, tet: u32) -> Option<Corners> {
-        let polygon = self.cx.piece(face, tet)?;
-        Some(polygon.corners().iter().map(|c| (c.mask, self.cx.carriers(face, tet, c.mask))).collect())
+    /// The corners of a piece, and whether it is a fold.
+    fn piece(&mut self, face: u32, tet: u32) -> Option<(Corners, bool)> {
+        let polygon = self.cx.piece(face, tet, &mut self.stages)?;
+        let fold = !self.cx.dot(face, tet, &mut self.stages).is_positive();
+        let corners = polygon.corners().iter().map(|c| (c.mask, self.cx.carriers(face, tet, c.mask)));
+        Some((corners.collect(), fold))
     }
 
     fn flood(&mut self, face: u32, tet: u32) -> Result<(), Stop> {
@@ -43,13 +48,18 @@ impl Sequential<'_> {
         Ok(())
     }
 
-    fn add(&mut self, (face, tet): (u32, u32), corners: Corners, from: (u32, u8)) -> Result<(), Stop> {
+    fn add(
+        &mut self,
+        (face, tet): (u32, u32),
+        (corners, fold): (Corners, bool),
+        from: (u32, u8),
+    ) -> Result<(), Stop> {
         let piece = self.pieces.len() as u32;
         let cap = corners.iter().position(|(_, c)| self.cx.complex.in_cap(c.shell()));
         self.pieces.push((face, tet, from.0, from.1));
         self.corners.push(corners);
         self.index.insert((face, tet), piece as usize);
-        if !self.cx.dot(face, tet).is_positive() {
+        if fold {
             return Err(Stop::Violation(Violation { piece, reason: Reason::Fold }));
         }
         cap.map_or(Ok(()), |corner| {
@@ -89,35 +99,36 @@ impl Sequential<'_> {
                 }
                 continue;
             }
-            let Some(corners) = self.piece(face, tet).filter(|c| has_side(c, ends)) else { continue };
-            if !self.cx.dot(face, tet).is_positive() {
-                return self.add((face, tet), corners, from);
+            let Some(piece) = self.piece(face, tet).filter(|(c, _)| has_side(c, ends)) else { continue };
+            if piece.1 {
+                return self.add((face, tet), piece, from);
             }
             if found.is_some() {
                 return Err(Stop::Branched(names.to_vec()));
             }
-            found = Some((tet, corners));
+            found = Some((tet, piece));
         }
         match found {
-            Some((tet, corners)) => self.add((face, tet), corners, from),
+            Some((tet, piece)) => self.add((face, tet), piece, from),
             None => Err(Stop::Branched(names.to_vec())),
         }
     }
 }
 
-/// All that a lift is: pieces, corners, the end.
-type Whole = (Vec<(u32, u32, u32, u8)>, Corners, String);
+/// All that a lift is: pieces, corners, the end; and the decisions that it took.
+type Whole = (Vec<(u32, u32, u32, u8)>, Corners, String, StageCounts);
 
 fn sequential(cx: Lifting<'_>, face: u32, tet: u32) -> Whole {
-    let mut lift = Sequential { cx, pieces: Vec::new(), corners: Vec::new(), index: HashMap::new() };
+    let (pieces, corners, index) = (Vec::new(), Vec::new(), HashMap::new());
+    let mut lift = Sequential { cx, pieces, corners, index, stages: StageCounts::default() };
     let stop = lift.flood(face, tet).err();
-    (lift.pieces, lift.corners.concat(), format!("{stop:?}"))
+    (lift.pieces, lift.corners.concat(), format!("{stop:?}"), lift.stages)
 }
 
 fn ahead(cx: Lifting<'_>, face: u32, tet: u32) -> Whole {
     let (lift, stop) = cx.flood(face, tet, &Silent);
     let pieces = lift.pieces.iter().map(|p| (p.face, p.tet, p.parent, p.parent_side)).collect();
-    (pieces, lift.corners, format!("{stop:?}"))
+    (pieces, lift.corners, format!("{stop:?}"), lift.stages)
 }
 
 /// Complete lifts, every kind of violation, and ends where continuation is not unique: a few tops are pushed below the middle
@@ -145,11 +156,14 @@ fn a_lift_is_that_of_one_core() {
             let face = random.below(mesh.faces.len()) as u32;
             let of_prism = |t: &u32| cx.complex.tets[*t as usize].prism == face;
             let mut tets = (0..cx.complex.tets.len() as u32).filter(of_prism);
-            let Some(tet) = tets.find(|&t| cx.piece(face, t).is_some()) else { return };
+            let Some(tet) = tets.find(|&t| cx.piece(face, t, &mut StageCounts::default()).is_some()) else {
+                return;
+            };
             let expected = sequential(cx, face, tet);
             for pool in &pools {
                 let found = pool.install(|| ahead(cx, face, tet));
-                assert!(found == expected, "round {round}: {}, not {}", found.2, expected.2);
+                let ends = [(&found.2, found.3), (&expected.2, expected.3)];
+                assert!(found == expected, "round {round}: found and expected {ends:?}");
             }
             let kinds = ["None", "Branched", "Fold", "Cap {", "Wall", "Boundary"];
             for kind in kinds.into_iter().filter(|k| expected.2.contains(k) && expected.0.len() > 200) {
