@@ -171,11 +171,11 @@ fn with_file<T>(resident: u64, path: &Path, then: impl FnOnce(Text<'_>) -> Res<T
     let cannot = |error: std::io::Error| bad_file("usage", path, &error);
     let file = File::open(path).map_err(cannot)?;
     let found = file.metadata().map_err(cannot)?;
-    // What is no regular file (a pipe) can be read just once.
+    // What is no regular file (a pipe) can be read just once, and opened just once.
     if found.is_file() && found.len() > resident {
         return then(Text::File(&Mutex::new(file), usize::try_from(found.len()).unwrap_or(usize::MAX)));
     }
-    then(Text::Memory(&load(path, "usage")?))
+    then(Text::Memory(&contents(file).map_err(cannot)?))
 }
 
 fn bad_file(code: &'static str, path: &Path, error: &std::io::Error) -> Fail {
@@ -183,10 +183,14 @@ fn bad_file(code: &'static str, path: &Path, error: &std::io::Error) -> Fail {
 }
 
 /// A file's bytes, one more than are allowed at the most: what is longer is then told from what is cut.
-fn load(path: &Path, code: &'static str) -> Res<Vec<u8>> {
+fn contents(file: File) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(LIMIT as u64 + 1).read_to_end(&mut bytes));
-    read.map_or_else(|error| Err(bad_file(code, path, &error)), |_| Ok(bytes))
+    file.take(LIMIT as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn load(path: &Path, code: &'static str) -> Res<Vec<u8>> {
+    File::open(path).and_then(contents).map_err(|error| bad_file(code, path, &error))
 }
 
 fn outcome(result: Res<Vec<(&'static str, bool)>>) -> Outcome {

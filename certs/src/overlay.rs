@@ -201,33 +201,45 @@ impl<'a> Overlay<'a> {
             for (line, home) in self.source.facts.degree[side].iter().zip(&homes[side]) {
                 let place = |home: usize| beside.partition_point(|x| (x.0, x.1) < (side, home));
                 let cells = &beside[home.map_or(0..0, |home| place(home)..place(home + 1))];
-                self.covered_once(side, *line, cells.iter().map(|x| x.2).collect())?;
+                let cells: Vec<usize> = cells.iter().map(|x| x.2).collect();
+                self.covered_once(side, *line, &cells)?;
             }
         }
         Ok(())
     }
 
     /// Whether the middle of a named fan triangle lies in no other one of these cells, which are all in its triangle or prism.
-    fn covered_once(&self, side: usize, named: (usize, usize, usize), cells: Vec<usize>) -> Res {
+    fn covered_once(&self, side: usize, named: (usize, usize, usize), cells: &[usize]) -> Res {
         let (line, named, fan) = named;
-        let shard = self.source.cells(cells)?;
-        let corners = shard.all()?;
-        let rows = |i: usize| Ok(triangles(&shard.cell(i)?, &corners, side));
-        let own = shard.numbers.binary_search(&named).ok().map(rows).transpose()?;
-        let own = own.and_then(|rows: Vec<[Vec3; 3]>| rows.into_iter().nth(fan));
-        let own = own.ok_or_else(|| bad!("degree", "line {line}"))?;
+        let own = self.rows(side, &[named])?.into_iter().find(|x| (x.0, x.1) == (named, fan));
+        let own = own.filter(|_| cells.contains(&named)).ok_or_else(|| bad!("degree", "line {line}"))?.2;
         let [a, b, c] = own.each_ref().map(|row| row.iter().sum::<BigInt>());
         let scales = [&b * &c, &a * &c, &a * &b];
         let centre: Vec3 = std::array::from_fn(|i| (0..3).map(|j| &own[j][i] * &scales[j]).sum());
-        for (i, &other) in shard.numbers.iter().enumerate() {
-            for (k, [a, b, c]) in rows(i)?.iter().enumerate() {
-                let sides = [(a, b), (b, c), (c, a)];
+        // A prism may have many cells.
+        let size = self.source.size();
+        each(cells.len().div_ceil(size), |at| {
+            for (other, k, [a, b, c]) in
+                self.rows(side, &cells[at * size..cells.len().min((at + 1) * size)])?
+            {
+                let sides = [(&a, &b), (&b, &c), (&c, &a)];
                 let holds = sides.iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
                 let itself = (other, k) == (named, fan);
                 ensure!(itself || !holds, "degree", "line {line}: also in cell {other}");
             }
+            Ok(())
+        })
+    }
+
+    /// The fan triangles of these cells, ascending: the cell, which of its triangles, the coordinates.
+    fn rows(&self, side: usize, cells: &[usize]) -> Res<Vec<(usize, usize, [Vec3; 3])>> {
+        let shard = self.source.cells(cells.to_vec())?;
+        let (corners, mut rows) = (shard.all()?, Vec::new());
+        for (i, &cell) in shard.numbers.iter().enumerate() {
+            let fans = triangles(&shard.cell(i)?, &corners, side);
+            rows.extend(fans.into_iter().enumerate().map(|(k, fan)| (cell, k, fan)));
         }
-        Ok(())
+        Ok(rows)
     }
 }
 

@@ -3,12 +3,10 @@
 
 use crate::line::{Bounds, Line};
 use crate::parse::{Separation, separation};
-use crate::{Map, Res, Set, malformed};
-use foldhash::fast::RandomState;
+use crate::{Map, Res, malformed};
 use sha2::{Digest, Sha256};
 use std::borrow::Cow;
 use std::fs::File;
-use std::hash::BuildHasher;
 use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -124,24 +122,36 @@ impl<'a> Lines<'a> {
 
     /// `malformed duplicate` at the first line that is equal to an earlier one. The hashes of all of them are given; what
     /// fits the grammar is written in one way only.
-    pub(crate) fn different(&self, hasher: &RandomState, mut hashes: Vec<u64>) -> Res {
+    pub(crate) fn different(&self, hash: impl Fn(&str) -> u64, mut hashes: Vec<u64>) -> Res {
         hashes.sort_unstable();
-        let twice: Set<u64> = hashes.windows(2).filter(|w| w[0] == w[1]).map(|w| w[0]).collect();
-        let mut seen: Map<u64, Vec<String>> = Map::default();
-        if twice.is_empty() {
-            return Ok(());
-        }
-        self.each(0..self.len, |i, text| {
-            let hash = hasher.hash_one(text);
-            if twice.contains(&hash) {
-                let earlier = seen.entry(hash).or_default();
-                if earlier.iter().any(|line| line == text) {
-                    return malformed("duplicate", format!("line {} repeats an earlier one", self.first + i));
-                }
-                earlier.push(text.to_owned());
+        let mut twice: Vec<u64> = hashes.windows(2).filter(|w| w[0] == w[1]).map(|w| w[0]).collect();
+        drop(hashes);
+        twice.dedup();
+        // The first line with each of them, and the others, which are few: lines that differ seldom hash alike.
+        let (mut first, mut more) = (vec![u32::MAX; twice.len()], Map::<usize, Vec<u32>>::default());
+        let judge = |i: usize, text: &str| {
+            let Ok(place) = twice.binary_search(&hash(text)) else { return Ok(()) };
+            if first[place] == u32::MAX {
+                first[place] = i as u32;
+                return Ok(());
             }
+            let others = more.entry(place).or_default();
+            for &earlier in std::iter::once(&first[place]).chain(&*others) {
+                self.each(earlier as usize..earlier as usize + 1, |_, line| match line == text {
+                    true => malformed("duplicate", format!("line {} repeats an earlier one", self.number(i))),
+                    false => Ok(()),
+                })?;
+            }
+            others.push(i as u32);
             Ok(())
-        })
+        };
+        if twice.is_empty() { Ok(()) } else { self.every(judge) }
+    }
+
+    /// Reads all lines, some pages at a time.
+    fn every(&self, mut read: impl FnMut(usize, &str) -> Res) -> Res {
+        let some = 64 * PAGE;
+        (0..self.len).step_by(some).try_for_each(|i| self.each(i..self.len.min(i + some), &mut read))
     }
 
     /// Reads these lines, ascending.

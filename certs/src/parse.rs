@@ -417,7 +417,7 @@ impl<'a> Parser<'a> {
             Ok(())
         });
         // A repetition comes before what is wrong in a later line.
-        corners.different(&hasher, hashes)?;
+        corners.different(|text| hasher.hash_one(text), hashes)?;
         result?;
         self.bounds.corners = corners.len();
         // How many fan triangles each cell has.

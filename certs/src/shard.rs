@@ -57,7 +57,8 @@ impl<'a> Source<'a> {
         self.facts.cells.len().div_ceil(self.size())
     }
 
-    fn size(&self) -> usize {
+    /// How many cells a shard has, but for the last one.
+    pub(crate) fn size(&self) -> usize {
         let [least, most] = if cfg!(test) { [2, 2] } else { [64, 1 << 15] };
         (self.facts.cells.len() / (8 * rayon::current_num_threads())).clamp(least, most)
     }

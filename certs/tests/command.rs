@@ -50,3 +50,28 @@ fn answers() {
     assert_eq!(run(&["--help"]).0, Some(0));
     assert_eq!(run(&["--version"]), (Some(0), format!("homeo-check {}\n", env!("CARGO_PKG_VERSION"))));
 }
+
+/// Who opens a pipe for a second time waits for a second writer, if the first one is done.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_opened_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let pipe = folder.path().join("pipe");
+    if !Command::new("mkfifo").arg(&pipe).status().is_ok_and(|status| status.success()) {
+        eprintln!("SKIPPED: needs mkfifo");
+        return;
+    }
+    for _ in 0..20 {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_homeo-check"))
+            .arg(&pipe)
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .expect("it runs");
+        std::fs::write(&pipe, "end\n").expect("written");
+        let mut exit = || child.try_wait().expect("a child").map(|status| status.code());
+        let pause = || std::thread::sleep(std::time::Duration::from_millis(10));
+        let found = (0..3000).find_map(|_| exit().or_else(|| (pause(), None).1));
+        child.kill().ok();
+        assert_eq!(found, Some(Some(2)));
+    }
+}

@@ -78,18 +78,35 @@ fn a_file_that_changes_is_refused() {
 #[test]
 fn the_first_repetition_is_named() {
     let hasher = RandomState::default();
-    let repeated = |which: &[&str]| {
+    let exact = |line: &str| hasher.hash_one(line);
+    // With the others, lines that differ have the same hash.
+    let hashes: [&dyn Fn(&str) -> u64; 3] = [&exact, &|line| line.len() as u64, &|_| 7];
+    let repeated = |which: &[&str], hash: &dyn Fn(&str) -> u64| {
         let text = format!("abc\n{}\n", which.join("\n"));
-        let hashes = which.iter().map(|line| hasher.hash_one(*line)).collect();
-        let fail = lines(Text::Memory(text.as_bytes()), which).different(&hasher, hashes).err();
-        fail.map(|fail| (fail.code, fail.message))
+        let (_kept, file) = stored(&text);
+        let [found, again] = [Text::Memory(text.as_bytes()), Text::File(&file, text.len())].map(|text| {
+            let hashes = which.iter().map(|line| hash(line)).collect();
+            let fail = lines(text, which).different(hash, hashes).err();
+            fail.map(|fail| (fail.code, fail.message))
+        });
+        assert_eq!(found, again);
+        found
     };
-    assert_eq!(repeated(&LINES), None);
-    let found = repeated(&["v 0 m0", "v 1 m1", "v 2 m2", "v 1 m1", "v 0 m0"]);
-    assert_eq!(found, Some(("duplicate", "line 5 repeats an earlier one".to_owned())));
-    // Hashes that are equal by chance say nothing.
-    let text = format!("abc\n{}\n", LINES.join("\n"));
-    assert!(lines(Text::Memory(text.as_bytes()), &LINES).different(&hasher, vec![7; 5]).is_ok());
+    for hash in hashes {
+        assert_eq!(repeated(&LINES, hash), None);
+        let found = |line: usize| Some(("duplicate", format!("line {line} repeats an earlier one")));
+        let again = ["v 0 m0", "v 1 m1", "v 2 m2", "v 1 m1", "v 0 m0"];
+        assert_eq!(repeated(&again, hash), found(5));
+        assert_eq!(repeated(&["v 0 m0", "v 0 m0"], hash), found(3));
+        let third = ["v 1 m1", "v 0 m0", "v 2 m2", "v 2 m2", "v 1 m1"];
+        assert_eq!(repeated(&third, hash), found(5));
+        // More lines than are read together, the last one like the first one.
+        let mut many: Vec<String> = (0..300).map(|i| format!("v {i} m{i}")).collect();
+        many.push(many[0].clone());
+        let many: Vec<&str> = many.iter().map(String::as_str).collect();
+        assert_eq!(repeated(&many[..300], hash), None);
+        assert_eq!(repeated(&many, hash), found(302));
+    }
 }
 
 #[test]
