@@ -284,7 +284,8 @@ fn claims(cert: &Cert<'_>, world: &World) -> Res {
                 })?;
             }
             ("section-all-orders", None) if certified => {
-                overlay.take().map_or(Ok(()), |overlay| orders::check(world, overlay))?;
+                let overlay = overlay.take().ok_or_else(|| bad!("all-orders", "there is no overlay"))?;
+                orders::check(world, overlay)?;
             }
             (_, None) => {}
             (_, Some(Block::Positivity(facts))) => {
