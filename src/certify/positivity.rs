@@ -9,7 +9,7 @@ use super::observer::Observer;
 use super::witness::BadTet;
 use crate::number::dyadic::scale_points;
 use crate::predicate::batch::Level;
-use crate::predicate::batch::kernel::{LANES, Row, common_error, cross, gather, keep_least, minus};
+use crate::predicate::batch::kernel::{LANES, Least, Row, common_error, cross, gather, minus};
 use crate::predicate::{StageCounts, orient3d, orient3d_staged};
 use crate::shell::decomposition::TETS;
 use crate::shell::{Layer, Shell, Slab, Tet};
@@ -119,20 +119,20 @@ fn all_positive(shell: &Shell, faces: &[[u32; 3]; LANES]) -> [bool; LANES] {
         let (lo, hi) = (&layers[slab], &layers[slab + 1]);
         let error = common_error(&[&lo[0], &lo[1], &lo[2], &hi[0], &hi[1], &hi[2]]);
         let pillars = [0, 1, 2].map(|k| minus(&hi[k], &lo[k]));
-        let mut least = [f64::INFINITY; LANES];
+        let mut least = Least::new();
         for pillar in &pillars {
-            keep_least(&mut least, pillar, &normals[slab]);
-            keep_least(&mut least, pillar, &normals[slab + 1]);
+            least.add(pillar, &normals[slab]);
+            least.add(pillar, &normals[slab + 1]);
         }
         let (below, above) = (&sides[slab], &sides[slab + 1]);
         for u in [0, 1, 2] {
             let (v, w) = ((u + 1) % 3, (u + 2) % 3);
-            keep_least(&mut least, &above[v], &cross(&pillars[v], &below[u]));
+            least.add(&above[v], &cross(&pillars[v], &below[u]));
             // From `u` to `w`: the side leads the other way, so that the product is turned.
-            keep_least(&mut least, &above[w], &cross(&below[u], &pillars[u]));
+            least.add(&above[w], &cross(&below[u], &pillars[u]));
         }
-        for l in 0..LANES {
-            kept[l] &= least[l] > error[l];
+        for (kept, above) in kept.iter_mut().zip(least.above(&error)) {
+            *kept &= above;
         }
     }
     kept

@@ -99,8 +99,12 @@ impl Outcome {
     /// Are all claims certified?
     #[must_use]
     pub fn all_certified(&self) -> bool {
-        self.claims.iter().all(|c| c.verdict == Verdict::Certified)
+        all_certified(&self.claims)
     }
+}
+
+fn all_certified(claims: &[ClaimResult]) -> bool {
+    claims.iter().all(|c| c.verdict == Verdict::Certified)
 }
 
 /// All verdicts, and what shows them: the certificate is written from it.
@@ -118,7 +122,13 @@ impl Proof<'_> {
         &self.claims
     }
 
-    /// The same, without what shows the verdicts.
+    /// Are all claims certified?
+    #[must_use]
+    pub fn all_certified(&self) -> bool {
+        all_certified(&self.claims)
+    }
+
+    /// The claims, without what shows their verdicts.
     #[must_use]
     pub fn into_claims(self) -> Vec<ClaimResult> {
         self.claims

@@ -88,9 +88,11 @@ pub(super) fn run(mut args: Args) -> Result<ExitCode, CliError> {
     let outputs = Outputs { certificate: args.output.as_deref(), json: &json };
     outputs.may_be_written(&loaded, &args.order)?;
     let options = Options { claims: claims.clone(), order };
+    // Before the work: a place that takes no file is told at once.
+    let mut written = Written::open(outputs.certificate, !args.no_check)?;
     let proof = prove(loaded.shell(), loaded.mesh(), &options, &progress)
         .map_err(|e| named(e, &loaded, &args.order))?;
-    let written = Written::new(&proof, outputs.certificate, !args.no_check, &progress)?;
+    written.write(&proof, &progress)?;
     // What shows the verdicts is in the file now: the checker has its memory.
     let results = proof.into_claims();
     let checked = if args.no_check { None } else { written.check(&loaded)? };
@@ -118,31 +120,27 @@ enum Written {
 }
 
 impl Written {
-    /// Writes the certificate while it is made: it is never in memory as a whole.
-    fn new(
-        proof: &Proof<'_>,
-        output: Option<&Path>,
-        check: bool,
-        progress: &Progress,
-    ) -> Result<Self, CliError> {
-        let mut out = match output {
+    /// An empty file beside the output, or where there is none but a check in the system's directory for temporary files.
+    fn open(output: Option<&Path>, check: bool) -> Result<Self, CliError> {
+        Ok(match output {
             Some(path) => Self::Kept(Staged::empty(path)?),
             None if check => Self::Unplaced(Temporary::unplaced()?),
             None => Self::Not,
+        })
+    }
+
+    /// Writes the certificate while it is made: it is never in memory as a whole.
+    fn write(&mut self, proof: &Proof<'_>, progress: &Progress) -> Result<(), CliError> {
+        let (name, file) = match self {
+            Self::Kept(staged) => (staged.name().to_owned(), staged.file()),
+            Self::Unplaced(file) => (file.path().display().to_string(), file),
+            Self::Not => return Ok(()),
         };
-        let file = match &mut out {
-            Self::Kept(staged) => staged.file(),
-            Self::Unplaced(file) => file,
-            Self::Not => return Ok(out),
-        };
-        let written = proof.write(file, progress);
-        let name = output.unwrap_or(file.path()).display().to_string();
-        written.map_err(|e| match e {
+        proof.write(file, progress).map_err(|e| match e {
             CertifyError::Cancelled => CliError::Interrupted,
             CertifyError::Write(e) => CliError::Write { file: name, reason: e.to_string() },
             source => CliError::Certify { files: name, source },
-        })?;
-        Ok(out)
+        })
     }
 
     /// Lets the independent checker read the file.
@@ -265,7 +263,12 @@ mod tests {
         let loaded = Loaded::read(Some(&shell), &ThreeMeshes::default(), None).unwrap();
         let (options, progress) = (Options::default(), Progress::new(true));
         let proof = prove(loaded.shell(), loaded.mesh(), &options, &progress).unwrap();
-        let good = Written::new(&proof, Some(&cert), true, &progress).unwrap();
+        let written = || {
+            let mut written = Written::open(Some(&cert), true).unwrap();
+            written.write(&proof, &progress).unwrap();
+            written
+        };
+        let good = written();
         assert!(!good.check(&loaded).unwrap().unwrap().converted);
         let Written::Kept(staged) = &good else { panic!("it is not kept") };
         let text = std::fs::read_to_string(staged.path()).unwrap();
@@ -285,7 +288,7 @@ mod tests {
         assert!(matches!(refused, Err(CliError::Disagreement(_))));
         assert!(!path.exists());
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
-        Written::new(&proof, Some(&cert), true, &progress).unwrap().place().unwrap();
+        written().place().unwrap();
         assert_eq!(std::fs::read_to_string(&cert).unwrap(), text);
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 2);
     }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use super::CliError;
 use super::input::{Loaded, is_regular};
-use super::output::{self, Temporary};
+use super::output;
 use crate::shell::hdf5;
 
 /// Arguments of `homeo check`.
@@ -80,7 +80,9 @@ pub(super) fn self_check(certificate: &Path, loaded: &Loaded) -> Result<Checked,
         mesh: loaded.file.mesh.clone(),
         ..hdf5::ShellFile::default()
     };
-    let file = Temporary::unplaced()?;
+    // Beside the certificate, where there is room for files.
+    let file = output::beside(certificate)
+        .map_err(|e| CliError::Write { file: certificate.display().to_string(), reason: e.to_string() })?;
     let name = || file.path().display().to_string();
     let bytes = hdf5::to_bytes(&copy).map_err(|source| CliError::Encode { file: name(), source })?;
     drop(copy);

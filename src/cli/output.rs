@@ -173,6 +173,11 @@ impl Staged {
         self.file.path()
     }
 
+    /// What it will be called.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The file, to be written from front to back.
     pub(super) fn file(&mut self) -> &mut Temporary {
         &mut self.file
@@ -232,11 +237,12 @@ impl Temporary {
 
 impl io::Write for Temporary {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
+        // The file itself: its wrapper would name the temporary path in every error.
+        self.file.as_file_mut().write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
+        self.file.as_file_mut().flush()
     }
 }
 
@@ -250,7 +256,8 @@ pub(super) fn end_at_once(code: i32) -> ! {
     std::process::exit(code);
 }
 
-fn beside(target: &Path) -> io::Result<Temporary> {
+/// An empty file in the directory of `target`.
+pub(super) fn beside(target: &Path) -> io::Result<Temporary> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     {

@@ -56,3 +56,23 @@ fn blocks_of_prisms_have_the_verdicts_of_their_tets() {
     }
     assert!(found > 1000 && clean >= 1, "{found} bad tets, {clean} clean shells");
 }
+
+/// Shells with such coordinates are refused before; the filter does not rest on that.
+#[test]
+fn no_block_with_a_coordinate_that_is_no_number_is_clear() {
+    let good = damaged(&mut Random(1), 0);
+    let block: &[[u32; 3]; LANES] = good.faces.first_chunk().unwrap();
+    assert_eq!(all_positive(&good, block), [true; LANES]);
+    for (lane, face) in block.iter().enumerate() {
+        for (corner, &v) in face.iter().enumerate() {
+            for (layer, axis) in (0..9).map(|i| (i / 3, i % 3)) {
+                for value in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+                    let mut shell = good.clone();
+                    let layers = [&mut shell.bottom, &mut shell.middle, &mut shell.top];
+                    layers.into_iter().nth(layer).unwrap()[v as usize][axis] = value;
+                    assert!(!all_positive(&shell, block)[lane], "{lane} {corner} {layer} {axis} {value}");
+                }
+            }
+        }
+    }
+}

@@ -165,8 +165,8 @@ pub(crate) fn cross(q: &Row, r: &Row) -> Row {
 /// The computed `6e-15 * (X * Y * Z) + 1e-300 * (X + Y + Z) + 1e-300` loses five roundings at most, and by underflow at most
 /// `2^-1075 (Z + 2)`; as `6e-15 > 54 u`, `54 (1-u)^5 > 49`, and `1e-300 > 2^-1000`, it is at least `|D - d|`.
 ///
-/// Overflow: `d` is only trusted where `X`, `Y`, `Z` are below `1e100`; then nothing in it exceeds `6e300`. Elsewhere, and for
-/// numbers that are none, the bound is infinite.
+/// Overflow: `d` is only trusted where `X`, `Y`, `Z` are below `1e100`; then nothing in it exceeds `6e300`. Elsewhere the bound is
+/// infinite. A coordinate that is no number may be passed over here: then every `d` with its point is none.
 #[inline(always)]
 pub(crate) fn common_error(points: &[&Row; 6]) -> Lane {
     let mut size = ZERO;
@@ -191,12 +191,35 @@ pub(crate) fn common_error(points: &[&Row; 6]) -> Lane {
     out
 }
 
-/// The lesser of two numbers in every lane, the second of which is `p . n`, rounded. (One that is no number is passed over: it
-/// occurs only where the bound is infinite.)
-#[inline(always)]
-pub(crate) fn keep_least(least: &mut Lane, p: &Row, n: &Row) {
-    for l in 0..LANES {
-        let value = p[0][l] * n[0][l] + p[1][l] * n[1][l] + p[2][l] * n[2][l];
-        least[l] = if value < least[l] { value } else { least[l] };
+/// The least of some determinants in every lane, and their sum.
+pub(crate) struct Least {
+    least: Lane,
+    sum: Lane,
+}
+
+impl Least {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self { least: [f64::INFINITY; LANES], sum: [0.0; LANES] }
+    }
+
+    /// Adds `p . n`, rounded.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, p: &Row, n: &Row) {
+        for l in 0..LANES {
+            let value = p[0][l] * n[0][l] + p[1][l] * n[1][l] + p[2][l] * n[2][l];
+            self.least[l] = if value < self.least[l] { value } else { self.least[l] };
+            self.sum[l] += value;
+        }
+    }
+
+    /// Whether all determinants are above the error. A value that is no number is not among the least, but makes the sum none.
+    #[inline(always)]
+    pub(crate) fn above(&self, error: &Lane) -> [bool; LANES] {
+        let mut out = [false; LANES];
+        for l in 0..LANES {
+            out[l] = (self.least[l] > error[l]) & !self.sum[l].is_nan();
+        }
+        out
     }
 }

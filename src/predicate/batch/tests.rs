@@ -1,4 +1,4 @@
-use super::kernel::{ZERO, common_error, cross, keep_least};
+use super::kernel::{Least, ZERO, common_error, cross};
 use super::*;
 use crate::predicate::{dot_sign_exact, orient3d_exact};
 use crate::testing::Random;
@@ -170,9 +170,9 @@ fn one_bound_for_six_points_is_a_bound() {
         let error = common_error(&std::array::from_fn(|i| &rows[i]));
         // The normal of three of the points, and the vector to the fourth from any of the three.
         let normal = cross(&minus(&rows[2], &rows[1]), &minus(&rows[3], &rows[1]));
-        let mut least = [f64::INFINITY; LANES];
-        keep_least(&mut least, &minus(&rows[1 + round % 3], &rows[0]), &normal);
-        let kept: [bool; LANES] = std::array::from_fn(|l| least[l] > error[l]);
+        let mut least = Least::new();
+        least.add(&minus(&rows[1 + round % 3], &rows[0]), &normal);
+        let kept = least.above(&error);
         for (six, kept) in lanes.iter().zip(kept) {
             let sign = orient3d_exact(&six[0], &six[1], &six[2], &six[3]);
             assert!(!kept || sign.is_positive(), "{six:?}");
