@@ -113,6 +113,11 @@ fn all<T: Send>(n: usize, check: impl Fn(usize) -> Res<T> + Sync + Send) -> Res<
     (0..n).into_par_iter().map(one).collect::<Vec<_>>().into_iter().collect()
 }
 
+/// The `at`-th range of `size` numbers of `0..n`, of which there are `n.div_ceil(size)`.
+fn part(n: usize, size: usize, at: usize) -> std::ops::Range<usize> {
+    at * size..n.min((at + 1) * size)
+}
+
 /// Names as they are written.
 fn show(names: &[usize]) -> String {
     let name = |n: &usize| format!("{}{}", ["b", "m", "t"][n % 3], n / 3);

@@ -53,8 +53,7 @@ pub(crate) fn not_positive(world: &World, fact: &TetFact, mut tets: impl Iterato
 
 impl<'a> Lift<'a> {
     pub(crate) fn new(world: &'a World, selected: &'a Selected<'a>) -> Self {
-        let points = |prism: usize| world.shell.of(prism).map(|v| [3 * v, 3 * v + 1, 3 * v + 2]);
-        let bounds = move |prism| Aabb::of(&world.keys, points(prism).as_flattened());
+        let bounds = |prism| Aabb::of(&world.keys, world.pillars(prism).as_flattened());
         Self { world, selected, tree: Tree::new(world.shell.len(), bounds) }
     }
 

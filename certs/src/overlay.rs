@@ -3,7 +3,7 @@
 use crate::complex::sides;
 use crate::number::{Vec3, cross, dot, sgn};
 use crate::shard::{Source, fans, triangles};
-use crate::{Fail, Res, Set, all, complex::distinct, each, orders};
+use crate::{Fail, Res, Set, all, complex::distinct, each, orders, part};
 use num_bigint::BigInt;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
@@ -35,6 +35,9 @@ struct Tally {
 /// As many edges are compared in one pass.
 const EDGES: usize = if cfg!(test) { 8 } else { 1 << 23 };
 
+/// As many `v` lines or edges are read together.
+const FEW: usize = 64;
+
 /// An edge between two corners, the smaller one first, and its direction.
 type Edge = (u32, u32);
 
@@ -51,8 +54,7 @@ impl<'a> Overlay<'a> {
         let all_used = tally.used.iter().all(|used| used.load(Relaxed));
         // A line in some cell has been checked there. Its error comes before all others, in the order of the lines.
         if cells.is_err() || !all_used {
-            let some = |at: usize| (at * 64..count.min((at + 1) * 64)).collect();
-            each(count.div_ceil(64), |at| source.corners(some(at))?.all().map(drop))?;
+            each(count.div_ceil(FEW), |at| source.corners(part(count, FEW, at).collect())?.all().map(drop))?;
         }
         let beside = cells?;
         overlay.boundary = overlay.check_edges(&tally)?;
@@ -67,7 +69,7 @@ impl<'a> Overlay<'a> {
     /// side, the triangle or prism, the cell; ascending.
     fn check_cells(&self, tally: &Tally) -> Res<Vec<(usize, usize, usize)>> {
         // If one of them has no home, its error is found below.
-        let named = [0, 1].map(|side| self.named(side).unwrap_or_default());
+        let named = [self.named(0)?, self.named(1)?];
         let named = named.map(|named| named.into_iter().flatten().collect::<Set<usize>>());
         let beside = all(self.source.shards(), |at| {
             let (shard, mut beside) = (self.source.cells(self.source.numbers(at))?, Vec::new());
@@ -128,8 +130,7 @@ impl<'a> Overlay<'a> {
         if caps {
             return Err(self.first_bad(&twice));
         }
-        let parts =
-            all(open.len().div_ceil(64), |at| self.rim(&open[at * 64..open.len().min((at + 1) * 64)]))?;
+        let parts = all(open.len().div_ceil(FEW), |at| self.rim(&open[part(open.len(), FEW, at)]))?;
         Ok(parts.into_iter().flatten().collect())
     }
 
@@ -161,8 +162,8 @@ impl<'a> Overlay<'a> {
                 let line = self.source.facts.cells.number(shard.numbers[i]);
                 for edge in Self::edges(shard.cells.of(i)) {
                     ensure!(!twice.contains(&edge) || seen.insert(edge), "edge-twice", "line {line}");
-                    let ends = [edge.0, edge.1 / 2].map(|x| shard.place(x as usize));
-                    ensure!(!shard.in_cap((ends[0], ends[1])), "cap", "line {line}: an edge");
+                    let ends = (shard.place(edge.0 as usize)?, shard.place(edge.1 as usize / 2)?);
+                    ensure!(!shard.in_cap(ends), "cap", "line {line}: an edge");
                 }
             }
             Ok(())
@@ -175,7 +176,7 @@ impl<'a> Overlay<'a> {
         let ends = open.iter().map(|edge| [edge.0 as usize, edge.1 as usize / 2]);
         let shard = self.source.corners(distinct(ends.clone().flatten()))?;
         let rim = |[a, b]: [usize; 2]| {
-            let [a_at, b_at] = [a, b].map(|x| shard.place(x));
+            let (a_at, b_at) = (shard.place(a)?, shard.place(b)?);
             let [on_mesh, names] =
                 [0, 1].map(|side| [shard.carriers[side].of(a_at), shard.carriers[side].of(b_at)].concat());
             let ids = distinct(names.iter().map(|n| n / 3));
@@ -219,9 +220,7 @@ impl<'a> Overlay<'a> {
         // A prism may have many cells.
         let size = self.source.size();
         each(cells.len().div_ceil(size), |at| {
-            for (other, k, [a, b, c]) in
-                self.rows(side, &cells[at * size..cells.len().min((at + 1) * size)])?
-            {
+            for (other, k, [a, b, c]) in self.rows(side, &cells[part(cells.len(), size, at)])? {
                 let sides = [(&a, &b), (&b, &c), (&c, &a)];
                 let holds = sides.iter().all(|(x, y)| sgn(&dot(&cross(x, y), &centre)) >= 0);
                 let itself = (other, k) == (named, fan);

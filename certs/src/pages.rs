@@ -44,6 +44,8 @@ impl<'a> Text<'a> {
     }
 }
 
+const CHANGED: &str = "the certificate has changed while it was read";
+
 /// So many lines are found by counting from the first of them.
 const PAGE: usize = if cfg!(test) { 2 } else { 16 };
 
@@ -113,7 +115,7 @@ impl<'a> Lines<'a> {
             short(Sha256::new_with_prefix(part)) == self.hashes[page]
         };
         if self.text.is_file() && !pages.clone().all(same) {
-            return malformed("usage", "the certificate has changed while it was read");
+            return malformed("usage", CHANGED);
         }
         let Ok(text) = std::str::from_utf8(&bytes) else { return malformed("bytes", "") };
         let lines = (pages.start * PAGE..).zip(text.split_terminator('\n'));
@@ -164,7 +166,8 @@ impl<'a> Lines<'a> {
                 if wanted { read(&Line::new(text, self.first + i, self.bounds)) } else { Ok(()) }
             })?;
         }
-        Ok(())
+        // A line that is not there is not passed over.
+        if next.next().is_none() { Ok(()) } else { malformed("usage", CHANGED) }
     }
 
     /// The corners of these `c` lines, ascending.

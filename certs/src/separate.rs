@@ -9,7 +9,7 @@ use crate::pages::Separations;
 use crate::parse::{Crossing, Overlap, Separation};
 use crate::tets::{self, Selected};
 use crate::world::World;
-use crate::{Res, each, show};
+use crate::{Res, each, part, show};
 use num_bigint::BigInt;
 
 /// What is compared: the triangles of the mesh with themselves, with those of a layer, or with prisms, all nine points
@@ -41,10 +41,9 @@ impl Sets<'_> {
     }
 
     fn bounds(&self, world: &World, j: usize) -> Aabb {
-        let nine = |v: usize| [3 * v, 3 * v + 1, 3 * v + 2];
         match self {
             Self::Layer(layer) => Aabb::of(&world.keys, &world.shell.of(j).map(|v| world.name(v, *layer))),
-            Self::Prisms => Aabb::of(&world.keys, world.shell.of(j).map(nine).as_flattened()),
+            Self::Prisms => Aabb::of(&world.keys, world.pillars(j).as_flattened()),
             _ => Aabb::of(&world.keys, &self.first(world, j)),
         }
     }
@@ -53,7 +52,7 @@ impl Sets<'_> {
         let three = |[a, b, c]: [usize; 3]| ([a, b, c, 0, 0, 0, 0, 0, 0], 3);
         match self {
             Self::Layer(layer) => three(world.shell.of(j).map(|v| world.name(v, *layer))),
-            Self::Prisms => (std::array::from_fn(|i| 3 * world.shell.of(j)[i / 3] + i % 3), 9),
+            Self::Prisms => (std::array::from_fn(|i| world.pillars(j)[i / 3][i % 3]), 9),
             _ => three(self.first(world, j)),
         }
     }
@@ -131,7 +130,7 @@ pub(crate) fn disjoint(world: &World, sets: &Sets<'_>, lines: &Separations<'_>) 
     let [many, others] = sets.len(world);
     let tree = Tree::new(others, |j| sets.bounds(world, j));
     each(many.div_ceil(SHARD), |shard| {
-        let mut at = shard * SHARD..many.min((shard + 1) * SHARD);
+        let mut at = part(many, SHARD, shard);
         let lines = lines.of(at.clone())?;
         at.try_for_each(|i| {
             let mut partners = tree.meeting(&Aabb::of(&world.keys, &sets.first(world, i)));

@@ -1,13 +1,13 @@
 //! A part of the overlay (FORMAT section 3.2): cells that follow each other, made from the certificate's lines, with the
 //! points at their corners.
 
-use crate::Res;
 use crate::complex::distinct;
 use crate::number::{Integer, Vec3, cross, det, dot, sgn, sign_near};
 use crate::pages::Rows;
 use crate::parse::Overlay as Facts;
 use crate::tets::Selected;
 use crate::world::World;
+use crate::{Res, part};
 use ethnum::I256;
 use num_bigint::BigInt;
 use std::iter::Sum;
@@ -65,7 +65,7 @@ impl<'a> Source<'a> {
 
     /// The numbers of the cells of a shard.
     pub(crate) fn numbers(&self, shard: usize) -> Vec<usize> {
-        (shard * self.size()..self.facts.cells.len().min((shard + 1) * self.size())).collect()
+        part(self.facts.cells.len(), self.size(), shard).collect()
     }
 
     /// These cells, ascending.
@@ -88,9 +88,11 @@ impl Shard<'_> {
         self.cells.len()
     }
 
-    /// Where a `v` line is in the shard.
-    pub(crate) fn place(&self, corner: usize) -> usize {
-        self.corners.binary_search(&corner).unwrap_or(0)
+    /// Where a `v` line is in the shard; there is none that is asked for and not there.
+    pub(crate) fn place(&self, corner: usize) -> Res<usize> {
+        self.corners
+            .binary_search(&corner)
+            .map_err(|_| bad!("isolated", "corner {corner} is not in its shard"))
     }
 
     /// Whether the names of two corners together are in a cap.
@@ -116,7 +118,7 @@ impl Shard<'_> {
     pub(crate) fn cell(&self, i: usize) -> Res<Cell> {
         let Source { world, facts, .. } = self.source;
         let line = facts.cells.number(self.numbers[i]);
-        let corners: Vec<usize> = self.cells.of(i).iter().map(|&x| self.place(x)).collect();
+        let corners = self.cells.of(i).iter().map(|&x| self.place(x)).collect::<Res<Vec<_>>>()?;
         let ids = distinct(self.carried(&corners, 0));
         let pillars = distinct(self.carried(&corners, 1).map(|n| n / 3));
         let [triangle, prism] = [world.mesh.with_corners(&ids), world.shell.with_corners(&pillars)];

@@ -50,6 +50,11 @@ impl World {
         3 * v + if self.pinched[v] { 1 } else { layer }
     }
 
+    /// The points of a prism's pillars, from bottom to top; of a pinched one all three, which are equal.
+    pub(crate) fn pillars(&self, prism: usize) -> [[usize; 3]; 3] {
+        self.shell.of(prism).map(|v| [3 * v, 3 * v + 1, 3 * v + 2])
+    }
+
     /// Whether a point number is not the `b` or `t` of a pinched vertex, which are no names.
     pub(crate) fn exists(&self, point: usize) -> bool {
         point >= self.base || point % 3 == 1 || !self.pinched[point / 3]

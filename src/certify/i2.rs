@@ -56,7 +56,8 @@ pub(crate) struct Contacts {
     pub(crate) all_positive: u64,
     /// Pairs of triangle and tet with a dot that is not positive and boxes that meet.
     pub(crate) tet_pairs: u64,
-    /// How the dots were decided.
+    /// How the signs of dots and of planes between triangles and tets were decided. Those for the hull condition do not count: it
+    /// is asked until it fails once, which depends on the threads.
     pub(crate) stages: StageCounts,
     /// Planes where no plane of the triangle or of a face of the tet does, ascending.
     pub(crate) separations: Vec<ContactSeparation>,
@@ -158,10 +159,10 @@ impl<'a> Job<'a> {
         let common = points.iter().map(|p| pinches.contains(&p.at)).collect();
         let pair = Pair { points, split: 3, common, exact_common: false };
         let own = [[0, 1, 2], [4, 5, 6], [3, 5, 6], [3, 4, 6], [3, 4, 5]];
-        if own.into_iter().any(|plane| pair.closed_by(plane)) {
+        if own.into_iter().any(|plane| pair.closed_by_staged(plane, &mut out.stages)) {
             return Ok(());
         }
-        match pair.separation() {
+        match pair.separation_staged(&mut out.stages) {
             Some(planes) => {
                 out.separations.push(ContactSeparation { face: f, prism: tet.prism, names, planes });
             }

@@ -72,7 +72,7 @@ pub struct ClaimResult {
     pub seconds: f64,
     /// Counts. `decided_by_filter`, `decided_by_fixed_width` and `decided_by_big_integer` are there for every claim that was
     /// looked at, not only implied: how the signs of determinants and dots of input points were decided that the verdict took
-    /// (of `i2`: of the dots). Comparisons of coordinates and the exact points of witnesses are no such signs. A sign that two
+    /// (of `i2`: without the hull condition). Comparisons of coordinates and the exact points of witnesses are no such signs. A sign that two
     /// threads took, where one thread takes it once, counts once.
     pub counts: Vec<Count>,
     /// Of [`Claim::Disjoint`]: its parts.

@@ -54,7 +54,7 @@ pub(super) fn filter3(p: [f64; 3], q: [f64; 3], r: [f64; 3]) -> Option<Sign> {
 
 /// The part of [`filter3`] that two of the rows have in common for every third one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Minors {
+pub(crate) struct Minors {
     minors: [f64; 3],
     /// The sums of the absolute values of the products in the minors.
     sums: [f64; 3],
@@ -62,7 +62,7 @@ pub(super) struct Minors {
 
 impl Minors {
     #[inline]
-    pub(super) fn new(q: [f64; 3], r: [f64; 3]) -> Self {
+    pub(crate) fn new(q: [f64; 3], r: [f64; 3]) -> Self {
         let (q1r2, q2r1) = (q[1] * r[2], q[2] * r[1]);
         let (q2r0, q0r2) = (q[2] * r[0], q[0] * r[2]);
         let (q0r1, q1r0) = (q[0] * r[1], q[1] * r[0]);
@@ -72,14 +72,20 @@ impl Minors {
         }
     }
 
-    /// [`filter3`] of the rows `p`, `q`, `r`; the same as of `q`, `r`, `p`, which have the same determinant.
+    /// The determinant of the rows `p`, `q`, `r`, rounded, and the bound on its error; the same as of `q`, `r`, `p`, which have the
+    /// same determinant.
     #[inline]
-    pub(super) fn filter3(&self, p: [f64; 3]) -> Option<Sign> {
+    pub(crate) fn determinant(&self, p: [f64; 3]) -> (f64, f64) {
         let ([m0, m1, m2], [s0, s1, s2]) = (self.minors, self.sums);
         let [x, y, z] = p.map(f64::abs);
-        let determinant = p[0] * m0 + p[1] * m1 + p[2] * m2;
         let permanent = x * s0 + y * s1 + z * s2;
-        let err = 1e-15 * permanent + 1e-300 * (x + y + z) + 1e-300;
+        (p[0] * m0 + p[1] * m1 + p[2] * m2, 1e-15 * permanent + 1e-300 * (x + y + z) + 1e-300)
+    }
+
+    /// Its sign, where the bound decides.
+    #[inline]
+    pub(super) fn filter3(&self, p: [f64; 3]) -> Option<Sign> {
+        let (determinant, err) = self.determinant(p);
         decided(determinant, err)
     }
 }

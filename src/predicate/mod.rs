@@ -17,6 +17,7 @@ mod stage;
 pub(crate) mod tests;
 mod word;
 
+pub(crate) use determinant::Minors;
 pub(crate) use meeting::triangle_touches_tet;
 pub use meeting::{Meeting, segment_segment, segment_triangle, triangle_tet, triangle_triangle};
 pub(crate) use orient::Plane;

@@ -42,7 +42,7 @@ pub struct ClaimReport {
     pub seconds: Option<f64>,
     /// Counts by name.
     pub counts: BTreeMap<&'static str, u64>,
-    /// Exact predicates by the stage that decided them (of `i2`: its dots); `null` for claims that were not run or only follow from
+    /// Exact predicates by the stage that decided them (of `i2`: without the hull condition); `null` for claims that were not run or only follow from
     /// another one.
     pub stages: Option<StageReport>,
     /// The parts of `disjoint`.

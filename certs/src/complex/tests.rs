@@ -26,6 +26,10 @@ fn is_manifold(triangles: &[[usize; 3]], vertices: usize) -> bool {
     once && proper && different && (0..vertices).all(connected)
 }
 
+fn short(triangles: &[[usize; 3]]) -> Vec<[u32; 3]> {
+    triangles.iter().map(|t| t.map(|v| u32::try_from(v).expect("small"))).collect()
+}
+
 #[test]
 fn conditions_and_answers_are_those_of_the_definitions() {
     let mut state = 3u64;
@@ -45,8 +49,7 @@ fn conditions_and_answers_are_those_of_the_definitions() {
             let t = triangles[next(triangles.len())];
             triangles.push(if round % 2 == 0 { [t[1], t[2], t[0]] } else { [t[0], t[2], t[1]] });
         }
-        let short = triangles.iter().map(|t| t.map(|v| u32::try_from(v).expect("small"))).collect();
-        let Ok(complex) = Complex::new(short, 7, "") else {
+        let Ok(complex) = Complex::new(short(&triangles), 7, "") else {
             assert!(!is_manifold(&triangles, 7), "{triangles:?}");
             bad += 1;
             continue;

@@ -76,6 +76,18 @@ fn a_file_that_changes_is_refused() {
 }
 
 #[test]
+fn a_line_that_is_not_there_is_not_passed_over() {
+    let text = text();
+    let end = text.find("v 1 m1").unwrap();
+    let lines = lines(Text::Memory(&text.as_bytes()[..end]), &LINES);
+    assert!(lines.carriers(&[1, 3]).is_ok());
+    for wanted in [&[4][..], &[0, 4]] {
+        let fail = lines.carriers(wanted).err();
+        assert_eq!(fail.map(|fail| (fail.exit, fail.code)), Some((2, "usage")), "{wanted:?}");
+    }
+}
+
+#[test]
 fn the_first_repetition_is_named() {
     let hasher = RandomState::default();
     let exact = |line: &str| hasher.hash_one(line);

@@ -202,7 +202,7 @@ impl Judge<'_> {
 }
 
 /// Does the triangle touch a tet of the slab whose field it does not face?
-fn touches_wrongly(prism: &Prism, slab: Slab, triangle: [&[f64; 3]; 3]) -> bool {
+pub(super) fn touches_wrongly(prism: &Prism, slab: Slab, triangle: [&[f64; 3]; 3]) -> bool {
     let [a, b, c] = triangle;
     let faces = [0, 1, 2].map(|k| {
         let [lo, hi] = prism.pillars[k].half(slab);

@@ -1,6 +1,6 @@
 //! What signs say of a draft, and what is known of prisms that stay, against proofs and witnesses about all of them.
 
-use super::conditions::{Known, Wrong, wrong};
+use super::conditions::{Known, Wrong, touches_wrongly, wrong};
 use super::{Against, Patience, overlap, reduce};
 use crate::certify::complex::{Boundary, MeshView};
 use crate::certify::disjoint::{self, About};
@@ -10,9 +10,11 @@ use crate::construct::boundary::Pillars;
 use crate::construct::direction::{Direction, directions};
 use crate::construct::draft::Draft;
 use crate::construct::icosphere;
+use crate::construct::optimise::prism::{Pillar, Prism};
 use crate::construct::optimise::tree::Tree;
 use crate::mesh::{Connectivity, TriMesh};
-use crate::shell::{Layer, Name, Slab};
+use crate::predicate::dot_sign;
+use crate::shell::{Layer, Name, Shell, Slab};
 use crate::testing::{Random, joined, torus};
 
 /// The slabs that break the first condition that some break, by the certifier's planes, common points and determinants.
@@ -128,4 +130,54 @@ fn signs_say_what_the_certifier_proves_and_stay_true() {
         failures.iter_mut().zip(rounds).for_each(|(all, n)| *all += n);
     }
     assert!(failures.iter().all(|&n| n > 2), "{failures:?}");
+}
+
+/// A prism on a small grid with pillars that lean, and a triangle that faces some of them: the slabs with a contact by the certifier.
+#[test]
+fn a_triangle_touches_wrongly_where_the_certifier_finds_a_contact() {
+    let mut random = Random(43);
+    // By slab: contacts or none, where the triangle faces some of its pillars, not all.
+    let (mut seen, mut partly) = ([0; 2], [0; 2]);
+    for _ in 0..30_000 {
+        let mut near = |[x, y, z]: [f64; 3], by: usize| {
+            let mut c = |x: f64| x + f64::from(u32::try_from(random.below(by)).unwrap());
+            [c(x), c(y), c(z)]
+        };
+        let middle = [[0.0; 3], [6.0, 0.0, 0.0], [0.0, 6.0, 0.0]];
+        let top = middle.map(|[x, y, _]| near([x - 2.0, y - 2.0, 1.0], 5));
+        let bottom = middle.map(|[x, y, _]| near([x - 2.0, y - 2.0, -5.0], 5));
+        let triangle = [(); 3].map(|()| near([-1.0, -1.0, -3.0], 7));
+        let [a, b, c] = &triangle;
+        let faces = vec![[0, 1, 2]];
+        let shell =
+            Shell { bottom: bottom.into(), middle: middle.into(), top: top.into(), faces: faces.clone() };
+        if crate::predicate::collinear(a, b, c) || !positivity::bad_slabs(&shell, &Silent).unwrap().is_empty()
+        {
+            continue;
+        }
+        let mesh = TriMesh { vertices: triangle.into(), faces };
+        let connectivity = Connectivity::new(3, &mesh.faces).unwrap();
+        let boundary = Boundary::new(&connectivity);
+        let view = MeshView {
+            vertices: &mesh.vertices,
+            faces: &mesh.faces,
+            connectivity: &connectivity,
+            boundary: &boundary,
+        };
+        let contacts = i2::decide(&view, &shell, &Silent).unwrap().contacts;
+        let pillar = |k: usize| Pillar { bottom: bottom[k], middle: middle[k], top: top[k] };
+        let prism = Prism { pillars: [0, 1, 2].map(pillar), pinched: [false; 3] };
+        for slab in Slab::BOTH {
+            let is_top = |names: &[Name]| names.iter().any(|n| n.layer == Layer::Top);
+            let wanted = contacts.iter().any(|c| is_top(&c.names) == (slab == Slab::Top));
+            assert_eq!(touches_wrongly(&prism, slab, [a, b, c]), wanted, "{slab:?} {shell:?} {mesh:?}");
+            let up = prism.pillars.iter().filter(|pillar| {
+                let [lo, hi] = pillar.half(slab);
+                dot_sign(a, b, c, lo, hi).is_positive()
+            });
+            seen[usize::from(wanted)] += 1;
+            partly[usize::from(wanted)] += usize::from([1, 2].contains(&up.count()));
+        }
+    }
+    assert!(seen.iter().chain(&partly).all(|&n| n > 500), "{seen:?} {partly:?}");
 }
